@@ -69,8 +69,9 @@ Arguments ParseArguments(int argc, char* argv[])
       "  vtkIsosurfaceViewer --demo\n\n"
       "FILE is an image (.vti, .mhd, .mha, .nii, .nii.gz, .nrrd, .nhdr or another one that VTK\n"
       "reads), a folder of DICOM slices, a grid or a mesh (.vtr, .vts, .vtu, .vtk, Exodus), one\n"
-      "in pieces (.pvti, .pvtr, .pvts, .pvtu), or composite data (.vtm). Several files are shown\n"
-      "together, by the array of the first.\n"
+      "in pieces (.pvti, .pvtr, .pvts, .pvtu), or composite data (.vtm) or AMR data (.vthb, "
+      ".vth).\n"
+      "Several files are shown together, by the array of the first.\n"
       "%s\nIn the window:\n\n%s\n"
       "When the window is closed, the times of frames while something moved are printed, and the\n"
       "exit code is 0; after an error it is 1.\n",

@@ -25,6 +25,7 @@
 #include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLRectilinearGridReader.h>
 #include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUniformGridAMRReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtksys/SystemTools.hxx>
 
@@ -123,6 +124,14 @@ vtkSmartPointer<vtkDataObject> ReadXml(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> ReadAmr(const std::string& fileName)
+{
+  vtkNew<vtkXMLUniformGridAMRReader> reader;
+  reader->SetMaximumLevelsToReadByDefault(0); // all
+  return Read(reader.Get(), fileName);
+}
+
+//------------------------------------------------------------------------------
 using ReadFunction = vtkSmartPointer<vtkDataObject> (*)(const std::string&);
 
 /// Readers for the very kind of file: those for several kinds do not pass errors on.
@@ -135,6 +144,8 @@ const std::map<std::string, ReadFunction> Readers = {
   { ".pvtr", ReadXml<vtkXMLPRectilinearGridReader> },
   { ".pvts", ReadXml<vtkXMLPStructuredGridReader> },
   { ".pvtu", ReadXml<vtkXMLPUnstructuredGridReader> },
+  { ".vth", ReadAmr },
+  { ".vthb", ReadAmr },
   { ".vtk", ReadLegacyOfAnyKind },
   { ".vtm", ReadXml<vtkXMLMultiBlockDataReader> },
   { ".vtr", ReadXml<vtkXMLRectilinearGridReader> },

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkMultiBlockDataSet, vtkRectilinearGrid
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkMultiBlockDataSet, vtkOverlappingAMR, vtkRectilinearGrid
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
@@ -25,6 +25,7 @@ from vtkmodules.vtkIOXML import (
     vtkXMLMultiBlockDataWriter,
     vtkXMLRectilinearGridWriter,
     vtkXMLStructuredGridWriter,
+    vtkXMLUniformGridAMRWriter,
     vtkXMLUnstructuredGridWriter,
 )
 from vtkmodules.vtkImagingCore import vtkImageAppendComponents, vtkImageShiftScale
@@ -33,6 +34,7 @@ from DicomSlices import write_dicom_slices
 from Displays import with_display, without_display
 from MeshTesting import ball, make_grid, make_structured_grid
 from PictureTesting import make_waves, write_bad_volumes, write_waves
+from TestAmr import NESTED, fill
 from ViewerSession import PATIENCE, Viewer, differ, xdotool
 
 PROGRAM = sys.argv.pop(1)
@@ -230,6 +232,8 @@ class TestIsosurfaceViewer(unittest.TestCase):
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, image)
         mesh = make_grid(VTK_TETRA, ball)
+        amr = vtkOverlappingAMR()
+        fill(amr, NESTED, of_cells=True)
         stored = vtkImageShiftScale()
         stored.SetInputData(image)
         stored.SetScale(2.0)
@@ -258,6 +262,7 @@ class TestIsosurfaceViewer(unittest.TestCase):
             self.write(vtkXMLPImageDataWriter(), "waves.pvti", image),
             self.write(vtkXMLPUnstructuredGridWriter(), "ball.pvtu", mesh),
             self.write(vtkXMLMultiBlockDataWriter(), "waves.vtm", blocks),
+            self.write(vtkXMLUniformGridAMRWriter(), "ball.vthb", amr),
             self.write(vtkXMLUnstructuredGridWriter(), "ball.vtu", mesh),
             self.write(vtkDataSetWriter(), "ball.vtk", mesh),
             self.write(vtkXMLStructuredGridWriter(), "ball.vts", make_structured_grid(ball)),
