@@ -16,8 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageReslice, vtkRTAnalyticSource
-from vtkmodules.vtkImagingGeneral import vtkImageGradient
+from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageReslice, vtkImageShrink3D, vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkLightCollection, vtkVolume
 from vtkIsosurfaceRayTracing import vtkIsosurfacePicture, vtkIsosurfaceRayTraceMapper
 
@@ -45,7 +44,7 @@ class Picture:
         self.camera = vtkCamera()
         self.camera.SetFocalPoint(center)
         self.camera.SetPosition(
-            center[0] - 0.5 * length, center[1] + 1.1 * length, center[2] + 0.35 * length)
+            center[0] - 0.85 * length, center[1] + 0.85 * length, center[2] + 0.25 * length)
         self.camera.SetViewUp(0.0, 0.0, 1.0)
         self.camera.SetClippingRange(0.3 * length, 3.0 * length)
         light = vtkLight()
@@ -69,10 +68,6 @@ class Picture:
         writer = vtkPNGWriter()
         writer.SetInputData(transparent)
         write_picture(writer, file_name)
-
-
-def plain(picture, image, isovalue):
-    pass
 
 
 def shadows(picture, image, isovalue):
@@ -153,38 +148,6 @@ def projected(picture, image, isovalue):
     opacity.AddPoint(0.5 * high, 1.0)
 
 
-def least(picture, image, isovalue):
-    """The smallest values inside the middle of the volume."""
-    bounds = image.GetBounds()
-    picture.mapper.SetCroppingRegionPlanes(
-        *[bounds[2 * axis] + part * (bounds[2 * axis + 1] - bounds[2 * axis])
-          for axis in range(3) for part in (0.25, 0.7)])
-    picture.mapper.SetCroppingRegionFlagsToSubVolume()
-    picture.mapper.CroppingOn()
-    picture.mapper.SetBlendModeToMinimumIntensity()
-    function, opacity = picture.surface.GetRGBTransferFunction(), picture.surface.GetScalarOpacity()
-    function.RemoveAllPoints()
-    opacity.RemoveAllPoints()
-    low, high = image.GetScalarRange()
-    function.AddRGBPoint(low, 0.1, 0.1, 0.3)
-    function.AddRGBPoint(isovalue, 0.95, 0.9, 0.8)
-    function.AddRGBPoint(high, 0.5, 0.1, 0.1)
-    opacity.AddPoint(isovalue, 1.0)
-
-
-def steepness(picture, image, isovalue):
-    """Where the length of the gradient, an array of vectors, is a fifth of its largest."""
-    gradient = vtkImageGradient()
-    gradient.SetInputData(image)
-    gradient.SetDimensionality(3)
-    gradient.Update()
-    vectors = gradient.GetOutput().GetPointData().GetScalars()
-    picture.mapper.SetInputConnection(gradient.GetOutputPort())
-    picture.mapper.SetVectorModeToMagnitude()
-    picture.surface.GetIsoSurfaceValues().SetNumberOfContours(0)
-    picture.add_surface(0.2 * vectors.GetMaxNorm(), (0.75, 0.85, 0.95), 1.0)
-
-
 def cells(picture, image, isovalue):
     """A cell for every sample; a wedge of them is blanked."""
     grid = vtkUniformGrid()
@@ -262,14 +225,20 @@ def registered(picture, image, isovalue):
     skin.GetIsoSurfaceValues().SetValue(0, 0.5 * (image.GetScalarRange()[0] + isovalue))
     skin.GetRGBTransferFunction().RemoveAllPoints()
     skin.GetScalarOpacity().RemoveAllPoints()
-    skin.GetRGBTransferFunction().AddRGBPoint(0.0, 0.45, 0.75, 0.95)
-    skin.GetScalarOpacity().AddPoint(0.0, 0.35)
+    skin.GetRGBTransferFunction().AddRGBPoint(0.0, 0.3, 0.65, 1.0)
+    skin.GetScalarOpacity().AddPoint(0.0, 0.25)
+    skin.SetSpecular(0.5)
+    skin.SetSpecularPower(40.0)
     picture.mapper.SetConnectionVolume(1, volume)
 
 
 def boxes(picture, image, isovalue):
+    """Of the means of 4 x 4 x 4 samples."""
+    coarse = vtkImageShrink3D()
+    coarse.SetInputData(image)
+    coarse.SetShrinkFactors(4, 4, 4)
+    picture.mapper.SetInputConnection(coarse.GetOutputPort())
     picture.mapper.SetInterpolationModeToNearest()
-    picture.camera.Zoom(3.0)
 
 
 def near(picture, image, isovalue):
@@ -284,7 +253,6 @@ def cubic(picture, image, isovalue):
 
 
 SCENES = (
-    plain,
     shadows,
     occluded,
     translucent,
@@ -293,8 +261,6 @@ SCENES = (
     cropped,
     coloured,
     projected,
-    least,
-    steepness,
     cells,
     rectilinear,
     blocks,

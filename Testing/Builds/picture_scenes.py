@@ -10,6 +10,7 @@ import sys
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, VTK_UNSIGNED_CHAR, reference
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkPlane
 from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkRTAnalyticSource
+from vtkmodules.vtkImagingGeneral import vtkImageGradient
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
@@ -67,6 +68,10 @@ def make_waves(x, y, z):
     source.SetWholeExtent(-x, x, -y, y, -z, z)
     source.Update()
     return source.GetOutput()
+
+
+def plain(picture, image, isovalue):
+    """One opaque isosurface."""
 
 
 def with_settings(**settings):
@@ -150,8 +155,21 @@ def of_type(scalar_type):
     return convert
 
 
+def magnitude(picture, image, isovalue):
+    """Where the length of the gradient, an array of vectors, is a fifth of its largest."""
+    gradient = vtkImageGradient()
+    gradient.SetInputData(image)
+    gradient.SetDimensionality(3)
+    gradient.Update()
+    vectors = gradient.GetOutput().GetPointData().GetScalars()
+    picture.mapper.SetInputConnection(gradient.GetOutputPort())
+    picture.mapper.SetVectorModeToMagnitude()
+    picture.surface.GetIsoSurfaceValues().SetNumberOfContours(0)
+    picture.add_surface(0.2 * vectors.GetMaxNorm(), (0.75, 0.85, 0.95), 1.0)
+
+
 DATA = {
-    "waves": gallery.plain,
+    "waves": plain,
     "turned": turned,
     "rectilinear": gallery.rectilinear,
     "uneven": uneven,
@@ -160,7 +178,7 @@ DATA = {
     "hidden-points": hidden_points,
     "component": component,
     "heaviest-component": heaviest_component,
-    "magnitude": gallery.steepness,
+    "magnitude": magnitude,
     **{name: of_type(scalar_type)
        for name, (scalar_type, *_) in INTEGER_RANGES.items()},
 }
@@ -242,6 +260,25 @@ def maximum(picture, image, isovalue):
     box(picture, image, isovalue)
 
 
+def minimum(picture, image, isovalue):
+    """The smallest values inside the middle of the volume."""
+    bounds = image.GetBounds()
+    picture.mapper.SetCroppingRegionPlanes(
+        *[bounds[2 * axis] + part * (bounds[2 * axis + 1] - bounds[2 * axis])
+          for axis in range(3) for part in (0.25, 0.7)])
+    picture.mapper.SetCroppingRegionFlagsToSubVolume()
+    picture.mapper.CroppingOn()
+    picture.mapper.SetBlendModeToMinimumIntensity()
+    function, opacity = picture.surface.GetRGBTransferFunction(), picture.surface.GetScalarOpacity()
+    function.RemoveAllPoints()
+    opacity.RemoveAllPoints()
+    low, high = image.GetScalarRange()
+    function.AddRGBPoint(low, 0.1, 0.1, 0.3)
+    function.AddRGBPoint(isovalue, 0.95, 0.9, 0.8)
+    function.AddRGBPoint(high, 0.5, 0.1, 0.1)
+    opacity.AddPoint(isovalue, 1.0)
+
+
 def translucent_alone(picture, image, isovalue):
     picture.add_surface(isovalue, (0.96, 0.90, 0.80), 0.4)
     picture.surface.GetIsoSurfaceValues().SetNumberOfContours(1)
@@ -253,8 +290,8 @@ def unlit(picture, image, isovalue):
 
 LOOKS = {
     **{furnish.__name__: furnish for furnish in (
-        gallery.plain, gallery.shadows, gallery.translucent, gallery.clipped, gallery.capped,
-        gallery.cropped, gallery.coloured, gallery.projected, gallery.least, several,
+        plain, gallery.shadows, gallery.translucent, gallery.clipped, gallery.capped,
+        gallery.cropped, gallery.coloured, gallery.projected, minimum, several,
         several_in_shadow, capped_box, capped_boxes, coloured_by_array, maximum,
         translucent_alone, unlit)},
     "interpolant-gradient": with_settings(NormalMode="INTERPOLANT_GRADIENT"),
@@ -347,7 +384,7 @@ def headlight(picture, image, isovalue):
 
 
 VIEWS = {furnish.__name__: furnish for furnish in (
-    gallery.plain, from_afar, from_within, along_axis, slanting, moved, many_lights, headlight)}
+    plain, from_afar, from_within, along_axis, slanting, moved, many_lights, headlight)}
 
 
 def add_products(scenes, kind, image, isovalue, *choices):

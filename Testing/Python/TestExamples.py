@@ -259,7 +259,7 @@ class TestExamples(unittest.TestCase):
         result = self.run_script("ray_trace_isosurface.py", volume, str(ISOVALUE), picture)
         self.assertNotEqual(result.returncode, 0)
         self.assertIn("picture.png cannot be written: No such file or directory", result.stderr)
-        for script, first in (("gallery.py", "plain.png"), ("scenes.py", "translucent_polygons.png")):
+        for script, first in (("gallery.py", "shadows.png"), ("scenes.py", "translucent_polygons.png")):
             os.mkdir(os.path.join(self.folder, first))  # where a file of that name should go
             result = self.run_script(script, volume, str(ISOVALUE), self.folder)
             self.assertNotEqual(result.returncode, 0)
