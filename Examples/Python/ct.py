@@ -17,5 +17,6 @@ folder.mkdir(exist_ok=True)
 head = {"isovalues": [-300, 300], "color": ["peachpuff", "ivory"]}  # Hounsfield units: skin and bone
 
 render(ct, **head).save(folder / "skin_and_bone.png")
-render(ct, **head, opacity=1, clip=["x", "-z"], view=(-0.7, 0.7, 0.7)).save(folder / "slices.png")  # of the CT
+window = (-160, 240)  # of soft tissue
+render(ct, -300, color="peachpuff", clip="x", clim=window, view=(-1, 0.15, 0.1)).save(folder / "slice.png")  # of the CT
 render(ct, 300, color="ivory", clip="-z", caps=True, shadows=True, view="z").save(folder / "caps.png")

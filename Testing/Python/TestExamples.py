@@ -157,7 +157,7 @@ class TestExamples(unittest.TestCase):
         writer.SetFileName(os.path.join(self.folder, "ct.mhd"))
         writer.Write()
         self.run_with_small_pictures("ct.py", os.path.join(self.folder, "ct.mhd"), self.folder)
-        for name in ("skin_and_bone", "slices", "caps"):
+        for name in ("skin_and_bone", "slice", "caps"):
             self.assertGreater(len(set(read(os.path.join(self.folder, f"{name}.png")))), 10, name)
 
     def test_volumes(self):
