@@ -10,6 +10,7 @@
  * whose faces are hit, or the interpolant tricubic: see InterpolationMode.) A new isovalue, colour
  * or camera costs a frame and nothing else.
  *
+ * @par Surfaces:
  * The isovalues are those of vtkVolumeProperty::GetIsoSurfaceValues(); there may be several. The
  * colour and opacity of a surface are the transfer functions of the property at its isovalue
  * (the opacity is that of a surface: ScalarOpacityUnitDistance has no part in it). The nearest
@@ -18,6 +19,7 @@
  * one, which is 0. Points whose value is
  * greater than or equal to the isovalue are inside, as in vtkFlyingEdges3D.
  *
+ * @par Intensity projections:
  * With SetBlendModeToMaximumIntensity() (or MinimumIntensity), no surfaces are drawn: every ray
  * shows the largest (smallest) value of the same interpolant along its visible part, exact to
  * rounding, through the colour and the opacity function of the property, as VTK's ray cast mappers
@@ -25,6 +27,7 @@
  * have that value, the first one counts. Everything below that does not concern lights or the
  * colours of surfaces applies as well.
  *
+ * @par Light and depth:
  * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are used, with every light of
  * the renderer, and so is vtkRenderer::TwoSidedLighting. (Where a headlight is the only light, VTK
  * gives polygons wider highlights.) The surface is drawn into the render window with its true
@@ -32,6 +35,7 @@
  * translucent geometry is composited correctly with it as well, where the surface is opaque or the
  * renderer peels depths.
  *
+ * @par Macrocells and bricks:
  * The mapper keeps a hierarchy of macrocells (the smallest and largest value of a block of
  * cells), built in parallel on the first render; and bricks (a copy of the samples reordered for
  * locality), each built when the first ray enters an active macrocell there. Both depend on the
@@ -48,6 +52,7 @@
  * RenderToImage), rays, picks and hardware selections are of all samples. Small blocks of composite
  * data, meshes and AMR data are built at once.
  *
+ * @par Scalars:
  * All scalar types are read without loss, with one exception: 64-bit integers are compared as
  * double, so values beyond 2^53 are rounded to the nearest double. A cell with a NaN or infinite
  * corner is empty. Of several components one is used, or their magnitude: see VectorMode.
@@ -58,6 +63,7 @@
  * decides to which piece it belongs. An array vtkGhostType that is no vtkUnsignedCharArray is
  * ignored, as by VTK.
  *
+ * @par Errors and warnings:
  * What cannot be traced is an error, reported once and not in every frame, and the rest of the
  * scene is drawn as without the volume: arrays (scalars, vtkGhostType, colours) whose number of
  * tuples or components is not that of the data, and numbers that are not finite in the matrix of
@@ -73,6 +79,7 @@
  * RenderToImage, that the camera sees nothing of the data. Of data that are one of several pieces,
  * or have ghost cells, it tells nothing of isovalues.
  *
+ * @par Rectilinear grids:
  * The coordinates of a vtkRectilinearGrid may be of any type, ascending or descending, and may
  * repeat: where they repeat and the values differ, the surface is a wall, as in
  * vtkRectilinearSynchronizedTemplates. Everything else is as for images. Where their planes are
@@ -80,6 +87,7 @@
  * otherwise cell by cell, in 1.2 times the time. Smooth normals are interpolated from the slopes of
  * parabolas through neighbouring samples, which is exact for quadrics, however uneven the spacing.
  *
+ * @par Composite data:
  * The input may be composite (vtkMultiBlockDataSet, vtkPartitionedDataSet, their collections; any
  * vtkCompositeDataSet; call SetInputDataObject or SetInputConnection), with blocks of vtkImageData,
  * vtkRectilinearGrid, vtkUnstructuredGrid and vtkStructuredGrid, mixed and however nested. They are
@@ -95,6 +103,7 @@
  * other lattices, each block is traced by itself where it is; small ones are prepared when the
  * first ray comes to them. Where caps of several blocks coincide, the first block is seen.
  *
+ * @par AMR data:
  * AMR data (vtkOverlappingAMR, vtkNonOverlappingAMR) with scalars of points or of cells are drawn
  * by their finest cells. Levels meet without cracks: their interpolants are one continuous
  * function, in which nodes on the border of a finer block have the values of the coarser
@@ -110,28 +119,34 @@
  * wrong with a block, one warning says so, and the others are drawn. Cells and points are numbered
  * through all blocks: see FindBlock.
  *
+ * @par Clipping and cropping:
  * ClippingPlanes and Cropping cut the surface exactly, along every ray. A cropping plane is
  * perpendicular to an axis of the image, at origin + spacing * index (for a rectilinear grid, at
  * that coordinate); it belongs to the region in the middle. There may be any number of clipping
  * planes. Pictures, IntersectWithLine and CastRays are cut alike. The cuts may be closed: see
  * CapClippingPlanes.
  *
+ * @par Threads:
  * The threads are OpenMP's, because tiles differ so much in cost that they must be scheduled one at
  * a time (`schedule(dynamic)`), which vtkSMPTools does not guarantee. The picture is the same, bit
  * for bit, for any number of threads, any layout and any hierarchy.
  *
+ * @par Colours and shadows:
  * The colour of a surface may come from another array or another image (ColorArrayName), and
  * surfaces may cast shadows (Shadows) and occlude ambient light (AmbientOcclusion).
  *
+ * @par Selection:
  * vtkHardwareSelector selects the cells that are hit, or the points nearest to the hits. (Points
  * are selected by the rays of the picture, whose number depends on ImageSampleDistance.) Those of a
  * composite input have the flat index of their block, and are numbered there; those of several
  * connections are numbered through all.
  *
+ * @par References:
  * S. Parker, P. Shirley, Y. Livnat, C. Hansen, P.-P. Sloan: Interactive Ray Tracing for Isosurface
  * Rendering. IEEE Visualization 1998. K.-L. Ma, S. Parker: Massively Parallel Software Rendering
  * for Visualizing Large-Scale Data Sets. IEEE Computer Graphics and Applications 21(4), 2001.
  *
+ * @par Events:
  * While it draws, the mapper sends (after the ProgressEvents of a pass over the samples, if there
  * is one) VolumeMapperRenderStartEvent, VolumeMapperRenderProgressEvent
  * (up to fifty times a second, with the fraction done) and VolumeMapperRenderEndEvent, on the
@@ -318,7 +333,7 @@ public:
     /// The component with the largest vtkVolumeProperty::GetComponentWeight() (the first of
     /// equals), of at most four.
     DISABLED = -1,
-    /// The magnitude of the vector, of which a copy is made.
+    /// The magnitude of the vector, of which a copy is made, in double precision.
     MAGNITUDE = 0,
     /// The component set by VectorComponent.
     COMPONENT = 1

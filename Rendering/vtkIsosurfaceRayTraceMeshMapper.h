@@ -132,7 +132,7 @@ public:
     /// The component with the largest vtkVolumeProperty::GetComponentWeight() (the first of
     /// equals), of at most four.
     DISABLED = -1,
-    /// The magnitude of the vector, of which a copy is made.
+    /// The magnitude of the vector, of which a copy is made, in double precision.
     MAGNITUDE = 0,
     /// The component set by VectorComponent.
     COMPONENT = 1
