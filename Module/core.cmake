@@ -30,6 +30,7 @@ set(core_sources
   Mesh/CellSubdivision.cxx
   Mesh/CellTree.cxx
   Mesh/CodeOrder.cxx
+  Mesh/CutPlace.cxx
   Mesh/FaceCrossing.cxx
   Mesh/HitOrder.cxx
   Mesh/LoneTracer.cxx

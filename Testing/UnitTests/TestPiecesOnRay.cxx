@@ -6,6 +6,7 @@
 
 #include "AllKernels.h"
 #include "LoneRay.h"
+#include "Math/RoundOutward.h"
 #include "RandomNumbers.h"
 
 #include <algorithm>
@@ -160,6 +161,49 @@ TEST_P(PiecesOnRay, FindsChildren)
   }
   EXPECT_GT(count.Met, 10000);
   EXPECT_LT(count.Superfluous, count.Beside / 50);
+}
+
+/// Those that the places of caps are in: the very ones, for places on borders too.
+TEST_P(PiecesOnRay, FindsChildrenAroundPlaces)
+{
+  RandomNumbers random(3);
+  int around = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Bounds mesh = MakeMesh(random);
+    const Vector3 point = random.PointInBox(mesh.Lower, mesh.Upper);
+    const double leastHigh = random.Uniform(-1.0, 1.0);
+    PlaceInBoxes place{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      place.Below[axis] = RoundDown(point[axis]);
+      place.Above[axis] = RoundUp(point[axis]);
+    }
+    place.LeastHigh = RoundUp(leastHigh);
+    CellTreeNode node{};
+    unsigned int expected = 0;
+    for (int child = 0; child < CellTreeNode::Width; ++child)
+    {
+      const bool isAtBorder = random.Integer(0, 1) == 0;
+      bool isAround = true;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double size = mesh.Upper[axis] - mesh.Lower[axis];
+        const auto end = [&](double side)
+        { return static_cast<float>(point[axis] + (isAtBorder ? 0.0 : side * size)); };
+        node.Lower[axis][child] = end(-random.Uniform(-0.1, 1.0));
+        node.Upper[axis][child] = end(random.Uniform(-0.1, 1.0));
+        isAround = isAround && static_cast<double>(node.Lower[axis][child]) <= point[axis] &&
+          point[axis] <= static_cast<double>(node.Upper[axis][child]);
+      }
+      node.High[child] = static_cast<float>(isAtBorder ? leastHigh : random.Uniform(-1.0, 3.0));
+      isAround = isAround && leastHigh <= static_cast<double>(node.High[child]);
+      expected |= static_cast<unsigned int>(isAround) << child;
+      around += isAround ? 1 : 0;
+    }
+    ASSERT_EQ(this->TheKernels.FindChildrenAround(node, place), expected) << i;
+  }
+  EXPECT_GT(around, 20000);
 }
 
 TEST_P(PiecesOnRay, FindsSets)

@@ -22,6 +22,15 @@ struct alignas(64) CellTreeNode
   float High[Width];
 };
 
+/// A place as it is compared with nodes: for each coordinate the largest float that is not above it
+/// and the smallest that is not below it; and what the values of a child must reach.
+struct PlaceInBoxes
+{
+  float Below[3];
+  float Above[3];
+  float LeastHigh;
+};
+
 /// The boxes of the cells in a block, which is a child of a node without nodes below it: 6 bytes a
 /// cell.
 struct BlockOfBoxes

@@ -347,6 +347,10 @@ struct Kernels
   unsigned int (*FindChildrenOnRay)(const CellTreeNode& node, const RayThroughBoxes& ray, float end,
     const IsovalueSpan* isovalues, int count, float* near);
 
+  /// Finds the children of a node that a place may be in, and that reach its least value; a bit for
+  /// each.
+  unsigned int (*FindChildrenAround)(const CellTreeNode& node, const PlaceInBoxes& place);
+
   /// Finds the sets of pieces that a ray may meet before a depth, of up to 32; a bit for each.
   unsigned int (*FindSetsOnRay)(
     const PackedPieces* sets, int count, const RayThroughBoxes& ray, float end);

@@ -87,6 +87,7 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/BoundCells.inl"
 
 #include "Kernels/DrawSegments.inl"
+#include "Kernels/FindChildrenAround.inl"
 #include "Kernels/FindExtents.inl"
 #include "Kernels/FindMetBoxes.inl"
 #include "Kernels/FindMetCells.inl"
@@ -133,10 +134,10 @@ SIMD_INLINE void LoadCorner(
     MoveRays, Align, FindPassages, FindMembersOfRay, FindPassage, FOR_ALL_TYPES(ClassifyCells),    \
     FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes,                      \
     FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
-    FrameRays, FindFrames, EndRays, ProjectChildren, FindChildrenOnRay, FindSetsOnRay,             \
-    FOR_ALL_TYPES(FindExtents), WeightGradients, FindCornerGradients, SumAtCorners, PackPolygons,  \
-    PackBoxes, FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs,          \
-    SolveTetrahedra, SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays,                 \
+    FrameRays, FindFrames, EndRays, ProjectChildren, FindChildrenOnRay, FindChildrenAround,        \
+    FindSetsOnRay, FOR_ALL_TYPES(FindExtents), WeightGradients, FindCornerGradients, SumAtCorners, \
+    PackPolygons, PackBoxes, FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed,       \
+    FindPairs, SolveTetrahedra, SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays,      \
     ProjectTetrahedra,                                                                             \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \

@@ -3,12 +3,11 @@
 
 #include "Mesh/MeshCaps.h"
 
-#include "Mesh/ShapeFunctions.h"
+#include "Math/RoundOutward.h"
+#include "Mesh/CutPlace.h"
 #include "Rays/PlaneRounding.h"
-#include "Rays/RayFrame.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -31,230 +30,184 @@ int FindCappedPlane(const std::vector<HalfSpace>& halves, const Vector3& origin,
   return plane != halves.end() ? static_cast<int>(plane - halves.begin()) : Hit::NoPlane;
 }
 
-/// A place on a ray, where the ray is cut, and the cell that it is in.
-class CutPlace
+/// The box of a cell and its largest value.
+struct CellBox
+{
+  Vector3 Lower;
+  Vector3 Upper;
+  double High;
+
+  CellBox(const MeshCell& cell, double margin)
+    : Lower(cell.Points[0])
+    , Upper(cell.Points[0])
+    , High(*std::max_element(cell.Values, cell.Values + cell.Count))
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 1; i < cell.Count; ++i)
+      {
+        this->Lower[axis] = std::min(this->Lower[axis], cell.Points[i][axis]);
+        this->Upper[axis] = std::max(this->Upper[axis], cell.Points[i][axis]);
+      }
+      this->Lower[axis] -= margin;
+      this->Upper[axis] += margin;
+    }
+  }
+
+  bool Contains(const Vector3& point) const
+  {
+    bool contains = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      contains &= this->Lower[axis] <= point[axis] && point[axis] <= this->Upper[axis];
+    }
+    return contains;
+  }
+};
+
+/// A place where a ray is cut by a plane, and the cell that it is in.
+struct PlaceInCell
+{
+  static constexpr std::int64_t NoCell = -1;
+
+  int Ray;
+  int Plane;
+  CutPlace Place;
+  PlaceInBoxes InBoxes;
+  std::int64_t Cell = NoCell;
+
+  PlaceInCell(int ray, int plane, const CutPlace& place, double leastInside)
+    : Ray(ray)
+    , Plane(plane)
+    , Place(place)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->InBoxes.Below[axis] = RoundDown(place.GetPoint()[axis]);
+      this->InBoxes.Above[axis] = RoundUp(place.GetPoint()[axis]);
+    }
+    this->InBoxes.LeastHigh = RoundUp(leastInside);
+  }
+};
+
+/// Finds the cells that places are in, of those that reach an isovalue and are visible; where
+/// several overlap, that with the smallest number. All places go down the tree together:
+/// neighbours are in the same cells, each of which is read once.
+class CellSearch
 {
 public:
-  CutPlace(const MeshSelection& selection, const Vector3& origin, const Vector3& direction,
-    double t, RayEnd end, CellHits& inCell)
+  CellSearch(const MeshSelection& selection, CellHits& inCell, std::vector<PlaceInCell>& places)
     : Selection(&selection)
-    , Frame(origin, direction)
-    , Point(origin + direction * t)
-    , T(t)
-    , End(end)
-    , Margin(selection.Tree->GetMargin())
-    , LeastInside(selection.Surfaces.front().Isovalue)
     , InCell(&inCell)
+    , Places(&places)
+    , LeastInside(selection.Surfaces.front().Isovalue)
   {
   }
 
-  /// Finds the cell, if it reaches an isovalue and is visible: that with the smallest number of
-  /// several, which overlap.
-  bool FindCell();
-
-  const Vector3& GetPoint() const { return this->Point; }
-  std::int64_t GetCell() const { return this->Number; }
-  Vector3 FindParametric();
-  double GetValue(const Vector3& parametric) const;
-  bool IsInside(const MeshSurface& surface);
+  void FindCells();
 
 private:
-  void Visit(int level, std::size_t number);
-  void VisitBlock(std::size_t block);
-  bool MayBeIn(const CellTreeNode& node, int child) const;
-  bool MayBeInCell() const;
-  bool Enter(std::int64_t number);
+  // Sets are of numbers of places.
+  void Visit(int level, std::size_t number, const RaySet& places);
+  void VisitBlock(std::size_t block, const RaySet& places);
 
   const MeshSelection* Selection;
-  RayFrame Frame;
-  Vector3 Point;
-  double T;
-  RayEnd End;
-  double Margin;
+  CellHits* InCell;
+  std::vector<PlaceInCell>* Places;
   /// The smallest isovalue.
   double LeastInside;
-  CellHits* InCell;
-
-  static constexpr std::int64_t NoCell = -1;
-  std::int64_t Number = NoCell;
-  MeshCell Cell;
-  /// By which the ray enters and leaves the cell before and behind the place.
-  const FaceCrossing* First = nullptr;
-  const FaceCrossing* Last = nullptr;
 };
 
 //------------------------------------------------------------------------------
-bool CutPlace::FindCell()
+void CellSearch::FindCells()
 {
+  RaySet all = {};
+  for (std::size_t i = 0; i < this->Places->size(); ++i)
+  {
+    Add(static_cast<int>(i), all);
+  }
   const int levels = this->Selection->Tree->GetNumberOfLevels();
   if (levels > 0)
   {
-    this->Visit(levels - 1, 0);
+    this->Visit(levels - 1, 0, all);
   }
-  return this->Number != NoCell && this->Enter(this->Number);
 }
 
 //------------------------------------------------------------------------------
-void CutPlace::Visit(int level, std::size_t number)
+void CellSearch::Visit(int level, std::size_t number, const RaySet& places)
 {
+  const Kernels* kernels = this->Selection->PacketKernels;
+  const auto findChildren =
+    kernels ? kernels->FindChildrenAround : BaselineKernels.FindChildrenAround;
   const CellTreeNode& node = this->Selection->Tree->GetNode(level, number);
-  for (int i = 0; i < CellTree::Width; ++i)
+  unsigned int met = 0;
+  RaySet inChild[CellTree::Width] = {};
+  ForEachRay(places,
+    [&](int place)
+    {
+      const unsigned int found =
+        findChildren(node, (*this->Places)[static_cast<std::size_t>(place)].InBoxes);
+      met |= found;
+      for (unsigned int children = found; children != 0; children &= children - 1)
+      {
+        Add(place, inChild[LowestBit(children)]);
+      }
+    });
+  for (; met != 0; met &= met - 1)
   {
-    if (!this->MayBeIn(node, i))
+    const int child = LowestBit(met);
+    const std::size_t below = number * CellTree::Width + static_cast<std::size_t>(child);
+    if (level > CellTree::LowestLevel)
     {
-      continue;
-    }
-    const std::size_t child = number * CellTree::Width + static_cast<std::size_t>(i);
-    if (level > 0)
-    {
-      this->Visit(level - 1, child);
+      this->Visit(level - 1, below, inChild[child]);
     }
     else
     {
-      this->VisitBlock(child);
+      this->VisitBlock(below, inChild[child]);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/// Whether a place that is inside of a surface may be in a child.
-bool CutPlace::MayBeIn(const CellTreeNode& node, int child) const
+void CellSearch::VisitBlock(std::size_t block, const RaySet& places)
 {
-  bool mayBe = static_cast<double>(node.High[child]) >= this->LeastInside;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  const MeshCells& cells = *this->Selection->Cells;
+  const CellTree& tree = *this->Selection->Tree;
+  for (int i = 0; i < tree.GetNumberOfCells(block); ++i)
   {
-    mayBe = mayBe && static_cast<double>(node.Lower[axis][child]) <= this->Point[axis] &&
-      this->Point[axis] <= static_cast<double>(node.Upper[axis][child]);
-  }
-  return mayBe;
-}
-
-//------------------------------------------------------------------------------
-/// The same for the cell that was read.
-bool CutPlace::MayBeInCell() const
-{
-  const MeshCell& cell = this->Cell;
-  bool mayBe = *std::max_element(cell.Values, cell.Values + cell.Count) >= this->LeastInside;
-  for (std::size_t axis = 0; axis < 3 && mayBe; ++axis)
-  {
-    double lower = cell.Points[0][axis];
-    double upper = lower;
-    for (int i = 1; i < cell.Count; ++i)
+    const std::int64_t number = tree.GetCell(block, i);
+    MeshCell cell;
+    if (this->Selection->Request.Visible.IsHidden(number) || !cells.Load(number, cell))
     {
-      lower = std::min(lower, cell.Points[i][axis]);
-      upper = std::max(upper, cell.Points[i][axis]);
+      continue;
     }
-    mayBe = lower - this->Margin <= this->Point[axis] && this->Point[axis] <= upper + this->Margin;
-  }
-  return mayBe;
-}
-
-//------------------------------------------------------------------------------
-void CutPlace::VisitBlock(std::size_t block)
-{
-  for (int i = 0; i < this->Selection->Tree->GetNumberOfCells(block); ++i)
-  {
-    const std::int64_t number = this->Selection->Tree->GetCell(block, i);
-    const bool isNext = this->Number == NoCell || number < this->Number;
-    if (isNext && !this->Selection->Request.Visible.IsHidden(number) && this->Enter(number))
+    const CellBox box(cell, tree.GetMargin());
+    if (box.High < this->LeastInside)
     {
-      this->Number = number;
+      continue;
     }
+    ForEachRay(places,
+      [&](int place)
+      {
+        PlaceInCell& found = (*this->Places)[static_cast<std::size_t>(place)];
+        const bool isNext = found.Cell == PlaceInCell::NoCell || number < found.Cell;
+        if (isNext && box.Contains(found.Place.GetPoint()) &&
+          found.Place.Enter(cell, *this->InCell))
+        {
+          found.Cell = number;
+        }
+      });
   }
 }
 
 //------------------------------------------------------------------------------
-/// Returns whether the place is in a cell. Of two cells that a crossing there separates it is in
-/// the one that is left out otherwise: its hits at the crossing are traced, too.
-bool CutPlace::Enter(std::int64_t number)
+/// The surface of the largest isovalue that a place is inside of; Hit::NoSurface if there is none.
+int FindSurface(const std::vector<MeshSurface>& surfaces, CutPlace& place)
 {
-  if (!this->Selection->Cells->Load(number, this->Cell) || !this->MayBeInCell())
-  {
-    return false;
-  }
-  this->InCell->Enter(this->Frame, this->Cell);
-  const FaceCrossings& faces = this->InCell->FindCrossings();
-  const int step = this->InCell->GetStep();
-  for (int i = 0; i < faces.Count; i += step)
-  {
-    this->First = faces.Crossings + i;
-    this->Last = this->First + step - 1;
-    const bool isIn = this->End == RayEnd::Begin
-      ? this->First->T < this->T && this->T <= this->Last->T
-      : this->First->T <= this->T && this->T < this->Last->T;
-    if (isIn)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-/// The place is where the ray meets the surface of points with the same t. By rounding it may not,
-/// beside a face.
-Vector3 CutPlace::FindParametric()
-{
-  double differences[MaximumCorners];
-  for (int i = 0; i < this->Cell.Count; ++i)
-  {
-    differences[i] = this->Frame.Get(this->Cell.Points[i]).T - this->T;
-  }
-  const std::vector<CellHit>& hits = this->InCell->Find(differences);
-  const auto distance = [this](double t) { return std::abs(t - this->T); };
-  const auto nearest = std::min_element(hits.begin(), hits.end(),
-    [&distance](const CellHit& a, const CellHit& b) { return distance(a.T) < distance(b.T); });
-  if (nearest != hits.end())
-  {
-    return nearest->Parametric;
-  }
-  const FaceCrossing& face =
-    distance(this->First->T) < distance(this->Last->T) ? *this->First : *this->Last;
-  CornerWeights weights = {};
-  for (int i = 0; i < face.Count; ++i)
-  {
-    weights[face.Corners[i]] += face.Weights[i];
-  }
-  return GetParametric(this->Cell.Shape, weights);
-}
-
-//------------------------------------------------------------------------------
-double CutPlace::GetValue(const Vector3& parametric) const
-{
-  CornerWeights weights;
-  GetWeights(this->Cell.Shape, parametric, weights);
-  double value = 0.0;
-  for (int i = 0; i < this->Cell.Count; ++i)
-  {
-    value += weights[i] * this->Cell.Values[i];
-  }
-  return value;
-}
-
-//------------------------------------------------------------------------------
-bool CutPlace::IsInside(const MeshSurface& surface)
-{
-  const auto [lowest, highest] =
-    std::minmax_element(this->Cell.Values, this->Cell.Values + this->Cell.Count);
-  if (*highest < surface.Isovalue || *lowest >= surface.Isovalue)
-  {
-    return *lowest >= surface.Isovalue;
-  }
-  double differences[MaximumCorners];
-  for (int i = 0; i < this->Cell.Count; ++i)
-  {
-    differences[i] = Difference(this->Cell.Values[i], surface.Isovalue, surface.Scale);
-  }
-  const bool isBegin = this->End == RayEnd::Begin;
-  const double low = isBegin ? this->T : this->First->T;
-  const double high = isBegin ? this->Last->T : this->T;
-  const FaceCrossing& crossing = isBegin ? *this->Last : *this->First;
-  bool isInside = vtkIsosurfaceRayTracing::IsInside(crossing.Interpolate(differences));
-  for (const CellHit& hit : this->InCell->Find(differences))
-  {
-    isInside ^= low <= hit.T && hit.T <= high;
-  }
-  return isInside;
+  const auto surface = std::find_if(surfaces.rbegin(), surfaces.rend(),
+    [&place](const MeshSurface& candidate) { return place.IsInside(candidate); });
+  return surface != surfaces.rend() ? static_cast<int>(surfaces.rend() - surface) - 1
+                                    : Hit::NoSurface;
 }
 
 }
@@ -275,37 +228,47 @@ std::vector<HalfSpace> MovePlanesIntoCells(
 }
 
 //------------------------------------------------------------------------------
-std::optional<Hit> FindCap(
-  const MeshSelection& selection, const RayPacket& packet, int ray, RayEnd end, CellHits& inCell)
+std::vector<Cap> FindCaps(const MeshSelection& selection, const RayPacket& packet,
+  const RaySet& rays, RayEnd end, CellHits& inCell)
 {
+  std::vector<Cap> caps;
+  if (selection.Surfaces.empty())
+  {
+    return caps;
+  }
   const bool isBegin = end == RayEnd::Begin;
-  const double t = isBegin ? packet.Begin[ray] : packet.End[ray];
-  const Vector3 origin = packet.GetOrigin(ray);
-  const Vector3 direction = packet.GetDirection(ray);
-  const int plane = FindCappedPlane(selection.HalfSpaces, origin, direction, t, end);
-  if (plane == Hit::NoPlane || selection.Surfaces.empty())
+  const double* cuts = isBegin ? packet.Begin : packet.End;
+  std::vector<PlaceInCell> places;
+  ForEachRay(rays,
+    [&](int ray)
+    {
+      const Vector3 origin = packet.GetOrigin(ray);
+      const Vector3 direction = packet.GetDirection(ray);
+      const int plane = FindCappedPlane(selection.HalfSpaces, origin, direction, cuts[ray], end);
+      const CutPlace place(origin, direction, cuts[ray], end);
+      if (plane != Hit::NoPlane && selection.Request.Visible.Regions.Contain(place.GetPoint()))
+      {
+        places.emplace_back(ray, plane, place, selection.Surfaces.front().Isovalue);
+      }
+    });
+  CellSearch(selection, inCell, places).FindCells();
+  for (PlaceInCell& found : places)
   {
-    return std::nullopt;
+    MeshCell cell;
+    CutPlace& place = found.Place;
+    const bool isInCell = found.Cell != PlaceInCell::NoCell &&
+      selection.Cells->Load(found.Cell, cell) && place.Enter(cell, inCell);
+    const int surface = isInCell ? FindSurface(selection.Surfaces, place) : Hit::NoSurface;
+    if (surface != Hit::NoSurface)
+    {
+      Hit hit = { packet.Base[found.Ray] + cuts[found.Ray], found.Cell, surface,
+        place.FindParametric(), isBegin };
+      hit.Plane = found.Plane;
+      hit.Value = place.GetValue(hit.Parametric);
+      caps.push_back({ found.Ray, hit });
+    }
   }
-  CutPlace place(selection, origin, direction, t, end, inCell);
-  if (!selection.Request.Visible.Regions.Contain(place.GetPoint()) || !place.FindCell())
-  {
-    return std::nullopt;
-  }
-  // That of the largest isovalue.
-  int surface = static_cast<int>(selection.Surfaces.size()) - 1;
-  while (surface >= 0 && !place.IsInside(selection.Surfaces[static_cast<std::size_t>(surface)]))
-  {
-    --surface;
-  }
-  if (surface < 0)
-  {
-    return std::nullopt;
-  }
-  Hit cap = { packet.Base[ray] + t, place.GetCell(), surface, place.FindParametric(), isBegin };
-  cap.Plane = plane;
-  cap.Value = place.GetValue(cap.Parametric);
-  return cap;
+  return caps;
 }
 
 }

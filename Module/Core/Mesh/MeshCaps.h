@@ -10,7 +10,6 @@
 #include "Rays/RayPacket.h"
 #include "Rays/Visibility.h"
 
-#include <optional>
 #include <vector>
 
 // A cap closes the inside of a surface where a half-space cuts it open. A ray meets one where it is
@@ -27,9 +26,17 @@ namespace vtkIsosurfaceRayTracing
 std::vector<HalfSpace> MovePlanesIntoCells(
   const std::vector<HalfSpace>& halves, const CellTree& tree, ScalarType pointType);
 
-/// The cap at one end of a ray that is cut to the half-spaces, if one is visible there.
-std::optional<Hit> FindCap(
-  const MeshSelection& selection, const RayPacket& packet, int ray, RayEnd end, CellHits& inCell);
+/// A cap that a ray of a packet hits.
+struct Cap
+{
+  int Ray;
+  Hit TheHit;
+};
+
+/// The caps that are visible at one end of some rays of a packet, which is cut to the half-spaces;
+/// in the order of the rays.
+std::vector<Cap> FindCaps(const MeshSelection& selection, const RayPacket& packet,
+  const RaySet& rays, RayEnd end, CellHits& inCell);
 
 }
 

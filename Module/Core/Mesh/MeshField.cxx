@@ -256,26 +256,15 @@ bool MeshField::MayHitBetween(RayPacket& lines, Beam* beam) const
 }
 
 //------------------------------------------------------------------------------
-/// The caps that rays begin with, if there are any on request. Rays behind opaque ones no longer
-/// exist.
-std::vector<std::optional<Hit>> MeshField::FindFirstCaps(RayPacket& packet, CellHits& inCell) const
+/// The caps that rays begin with. Rays behind opaque ones no longer exist.
+std::vector<Cap> MeshField::FindFirstCaps(RayPacket& packet, CellHits& inCell) const
 {
-  std::vector<std::optional<Hit>> caps;
-  if (!this->Selection.Request.Visible.HasCaps())
+  std::vector<Cap> caps = FindCaps(this->Selection, packet, packet.Exists, RayEnd::Begin, inCell);
+  for (const Cap& cap : caps)
   {
-    return caps;
-  }
-  caps.resize(static_cast<std::size_t>(packet.Count));
-  for (int i = 0; i < packet.Count; ++i)
-  {
-    std::optional<Hit>& cap = caps[static_cast<std::size_t>(i)];
-    if (Has(packet.Exists, i))
+    if (this->Selection.Request.GetOpacity(cap.TheHit) >= 1.0)
     {
-      cap = FindCap(this->Selection, packet, i, RayEnd::Begin, inCell);
-    }
-    if (cap && this->Selection.Request.GetOpacity(*cap) >= 1.0)
-    {
-      Remove(i, packet.Exists);
+      Remove(cap.Ray, packet.Exists);
     }
   }
   return caps;
@@ -325,22 +314,54 @@ RaySet MeshField::TraceTogether(
 }
 
 //------------------------------------------------------------------------------
+/// Appends the caps of rays to their hits.
+void AppendCaps(const std::vector<Cap>& caps, RayHits& hits)
+{
+  if (caps.empty())
+  {
+    return;
+  }
+  std::vector<Hit> all;
+  all.reserve(hits.Hits.size() + caps.size());
+  auto cap = caps.begin();
+  std::size_t first = 0;
+  for (int ray = 0; static_cast<std::size_t>(ray) + 1 < hits.First.size(); ++ray)
+  {
+    std::size_t& next = hits.First[static_cast<std::size_t>(ray) + 1];
+    const auto begin = hits.Hits.begin();
+    all.insert(all.end(), begin + static_cast<std::ptrdiff_t>(first),
+      begin + static_cast<std::ptrdiff_t>(next));
+    if (cap != caps.end() && cap->Ray == ray)
+    {
+      all.push_back(cap++->TheHit);
+    }
+    first = std::exchange(next, all.size());
+  }
+  hits.Hits = std::move(all);
+}
+
+//------------------------------------------------------------------------------
 void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
 {
   hits.Clear();
   CutRays(this->Selection.HalfSpaces, packet);
   CellHits inCell;
-  const std::vector<std::optional<Hit>> caps = this->FindFirstCaps(packet, inCell);
+  const bool hasCaps = this->Selection.Request.Visible.HasCaps();
+  const std::vector<Cap> caps = hasCaps ? this->FindFirstCaps(packet, inCell) : std::vector<Cap>{};
+  auto cap = caps.begin();
   std::unique_ptr<ThreadBeam> own =
     beam || !this->Selection.PacketKernels ? nullptr : this->TakeBeamOf(packet);
   auto* thread = own ? own.get() : static_cast<ThreadBeam*>(beam);
   const RaySet traced = thread ? this->TraceTogether(packet, nullptr, *thread) : RaySet{};
   std::vector<Hit> found;
   hits.First.resize(static_cast<std::size_t>(packet.Count) + 1);
+  // Those that something is left of at their end.
+  RaySet left = packet.Exists;
   for (int i = 0; i < packet.Count; ++i)
   {
     const bool isTraced = Has(traced, i);
-    if (isTraced && caps.empty() && !thread->Hits.HasSeveral(i))
+    const Hit* first = cap != caps.end() && cap->Ray == i ? &cap++->TheHit : nullptr;
+    if (isTraced && !hasCaps && !thread->Hits.HasSeveral(i))
     {
       if (const Hit* only = thread->Hits.GetAny(i))
       {
@@ -358,9 +379,16 @@ void MeshField::Trace(RayPacket& packet, RayHits& hits, Beam* beam)
       {
         MeshRay(this->Selection, packet, i).FindHits(inCell, found);
       }
-      this->AddHits(packet, i, caps, inCell, found, hits.Hits);
+      if (this->AddHits(first, found, hits.Hits))
+      {
+        Remove(i, left);
+      }
     }
     hits.First[static_cast<std::size_t>(i) + 1] = hits.Hits.size();
+  }
+  if (hasCaps)
+  {
+    AppendCaps(FindCaps(this->Selection, packet, left, RayEnd::End, inCell), hits);
   }
   if (own)
   {
@@ -415,28 +443,18 @@ void MeshField::FindTransmittance(
 }
 
 //------------------------------------------------------------------------------
-/// Adds the hits of a ray, which were found in any order, and its caps.
-void MeshField::AddHits(const RayPacket& packet, int ray,
-  const std::vector<std::optional<Hit>>& firstCaps, CellHits& inCell, std::vector<Hit>& found,
-  std::vector<Hit>& hits) const
+/// Adds the cap that a ray begins with, which may be null, and its hits, which were found in any
+/// order. Returns whether nothing is left of the ray behind them.
+bool MeshField::AddHits(const Hit* first, std::vector<Hit>& found, std::vector<Hit>& hits) const
 {
-  const std::optional<Hit> first =
-    firstCaps.empty() ? std::nullopt : firstCaps[static_cast<std::size_t>(ray)];
   if (found.size() > 1)
   {
     PutInOrder(this->Selection.Request, first ? first->Surface : Hit::NoSurface, found);
   }
   HitCollector collector(*this, hits);
-  const bool isOver = (first && collector.AddVisible(*first)) ||
+  return (first && collector.AddVisible(*first)) ||
     std::any_of(found.begin(), found.end(),
       [&collector](const Hit& hit) { return collector.AddVisible(hit); });
-  const std::optional<Hit> last = !firstCaps.empty() && !isOver && Has(packet.Exists, ray)
-    ? FindCap(this->Selection, packet, ray, RayEnd::End, inCell)
-    : std::nullopt;
-  if (last)
-  {
-    collector.AddVisible(*last);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,13 +7,13 @@
 #include "Field/TracedField.h"
 #include "Mesh/CellHits.h"
 #include "Mesh/CellTree.h"
+#include "Mesh/MeshCaps.h"
 #include "Mesh/MeshCells.h"
 #include "Mesh/MeshSelection.h"
 #include "Mesh/MeshView.h"
 #include "Mesh/PointGradients.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -77,9 +77,8 @@ private:
     const RayPacket& packet, const Departure* departures, ThreadBeam& thread) const;
   StoppedRays FindStopped(RayPacket& packet, const Departure* departures) const;
 
-  std::vector<std::optional<Hit>> FindFirstCaps(RayPacket& packet, CellHits& inCell) const;
-  void AddHits(const RayPacket& packet, int ray, const std::vector<std::optional<Hit>>& firstCaps,
-    CellHits& inCell, std::vector<Hit>& found, std::vector<Hit>& hits) const;
+  std::vector<Cap> FindFirstCaps(RayPacket& packet, CellHits& inCell) const;
+  bool AddHits(const Hit* first, std::vector<Hit>& found, std::vector<Hit>& hits) const;
 
   double GetUnitOfGradients() const;
   const PointGradients* GetSmoothGradients(NormalMode mode) const;
