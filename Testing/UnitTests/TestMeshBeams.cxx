@@ -5,6 +5,7 @@
 #include "Field/FieldSet.h"
 #include "Matrices.h"
 #include "Mesh/BeamFrame.h"
+#include "Mesh/MeshBeam.h"
 #include "Mesh/MeshField.h"
 #include "Rays/AppendBoxedRay.h"
 #include "Rays/Camera.h"
@@ -392,6 +393,38 @@ TEST_P(MeshBeams, AreMadeOfRaysWithoutPicture)
     }
   }
   EXPECT_GT(count, 5000U);
+}
+
+//------------------------------------------------------------------------------
+/// Most of what is between rays that are far apart would be looked at for none of them, which no
+/// test of hits would notice.
+TEST_P(MeshBeams, AreMadeOfRaysNextToEachOther)
+{
+  RandomNumbers random(32);
+  const TestMesh mesh = MakeMesh(random, { 30, 30, 30 }, Cutting::Hexahedra, 0.2,
+    [&random](const Index3&) { return random.Uniform(-1.0, 1.0); });
+  MeshField field(mesh.View(), 1);
+  const MeshCells cells(mesh.View());
+  const CellTree tree(cells, 1);
+  MeshSelection selection;
+  selection.Cells = &cells;
+  selection.Tree = &tree;
+  selection.CellSize = field.GetCellSize();
+  selection.PacketKernels = &this->TheKernels;
+  for (const double distance : { 0.0, 0.1, 1.0, 10.0, 25.0 })
+  {
+    RayPacket packet;
+    packet.Clear();
+    for (int i = 0; i < 32; ++i)
+    {
+      const Vector3 place =
+        random.PointInBox({ 2.0, 2.0, 1.0 }, { 2.0 + distance, 2.0 + distance, 2.0 });
+      field.AddRay(place, { 0.1, 0.2, 1.0 }, 0.0, Infinity, packet);
+    }
+    MeshBeam beam;
+    beam.Begin(selection, packet, packet.Exists);
+    EXPECT_EQ(beam.IsBeam(), distance < 25.0) << distance;
+  }
 }
 
 //------------------------------------------------------------------------------

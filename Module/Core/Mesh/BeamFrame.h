@@ -37,6 +37,9 @@ public:
 
   const BeamNumbers& GetNumbers() const { return this->Numbers; }
 
+  /// The larger extent of the beam in the plane of labels.
+  double GetWidth() const { return 2.0 / this->Numbers.InverseSize; }
+
   /// The depth where the first of some rays begins, and a margin.
   float FindBegin(const RayPacket& rays, const RaySet& some) const;
 
