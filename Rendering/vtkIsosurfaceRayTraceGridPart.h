@@ -41,6 +41,7 @@ public:
   vtkIsosurfaceRayTracing::TracedField& GetField() override;
   vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override;
+  vtkDataSet* GetFirstData() const override { return this->Blocks.Get().front().Data; }
   bool IsBuiltOnDemand() const override;
   bool Update(int threads) override;
   bool SelectLevel(vtkIsosurfaceRayTraceLevel level, int threads) override

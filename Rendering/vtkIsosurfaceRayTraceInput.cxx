@@ -28,6 +28,8 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <memory>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -38,6 +40,23 @@ namespace
 {
 
 using Leaf = vtkIsosurfaceRayTraceLeaf;
+
+/// Takes a part from those of some data; null if none is wanted.
+template <typename Part, typename Function>
+std::unique_ptr<Part> TakePart(std::multimap<vtkDataSet*, std::unique_ptr<Part>>& parts,
+  vtkDataSet* data, const Function& isWanted)
+{
+  const auto [first, last] = parts.equal_range(data);
+  const auto found =
+    std::find_if(first, last, [&isWanted](const auto& part) { return isWanted(*part.second); });
+  if (found == last)
+  {
+    return nullptr;
+  }
+  std::unique_ptr<Part> part = std::move(found->second);
+  parts.erase(found);
+  return part;
+}
 
 constexpr vtkirt::Matrix4 Identity = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
   0.0, 0.0, 0.0, 1.0 };
@@ -290,15 +309,16 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
   const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars)
 {
   // Those that have changed go at the end of this function, before new ones are built.
-  PartList before;
-  before.swap(this->Parts);
-  vtkirt::TracedField* field = nullptr;
-  std::swap(field, this->Field); // It goes with the parts where memory is refused.
+  FormerParts before;
   std::vector<const Part*> partsBefore;
-  for (const std::unique_ptr<Part>& part : before)
+  for (std::unique_ptr<Part>& part : this->Parts)
   {
     partsBefore.push_back(part.get());
+    before.emplace(part->GetFirstData(), std::move(part));
   }
+  this->Parts.clear();
+  vtkirt::TracedField* field = nullptr;
+  std::swap(field, this->Field); // It goes with the parts where memory is refused.
   std::vector<Leaf> grids;
   std::string first;
   this->LeftOut = this->Leaves.GetLeftOut();
@@ -346,7 +366,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
 /// Takes the mesh of a leaf from those before, if there is one; makes it, if there is none.
 std::string vtkIsosurfaceRayTraceInput::AddMesh(const Leaf& leaf,
   const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
-  PartList& before)
+  FormerParts& before)
 {
   using Mesh = vtkIsosurfaceRayTraceMesh;
   auto* grid = vtkPointSet::SafeDownCast(leaf.Data);
@@ -360,22 +380,21 @@ std::string vtkIsosurfaceRayTraceInput::AddMesh(const Leaf& leaf,
   {
     return problem;
   }
-  for (std::unique_ptr<Part>& part : before)
-  {
-    auto* mesh = dynamic_cast<Mesh*>(part.get());
-    if (mesh && mesh->IsOf(grid, scalars, settings.Tetrahedralize))
+  std::unique_ptr<Part> part = TakePart(before, grid,
+    [&](const Part& former)
     {
-      mesh->SetLeaf(leaf);
-      this->Parts.push_back(std::move(part));
-      return "";
-    }
+      const auto* mesh = dynamic_cast<const Mesh*>(&former);
+      return mesh && mesh->IsOf(grid, scalars, settings.Tetrahedralize);
+    });
+  if (!part)
+  {
+    part = std::make_unique<Mesh>(grid, scalars, settings.Tetrahedralize);
+    problem = static_cast<Mesh&>(*part).SelectCells(settings.Threads);
   }
-  auto mesh = std::make_unique<Mesh>(grid, scalars, settings.Tetrahedralize);
-  problem = mesh->SelectCells(settings.Threads);
   if (problem.empty())
   {
-    mesh->SetLeaf(leaf);
-    this->Parts.push_back(std::move(mesh));
+    static_cast<Mesh&>(*part).SetLeaf(leaf);
+    this->Parts.push_back(std::move(part));
   }
   return problem;
 }
@@ -383,16 +402,19 @@ std::string vtkIsosurfaceRayTraceInput::AddMesh(const Leaf& leaf,
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceInput::AddGrid(const std::vector<Leaf>& leaves,
   const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
-  PartList& before)
+  FormerParts& before)
 {
   using Grid = vtkIsosurfaceRayTraceGridPart;
-  const auto found = std::find_if(before.begin(), before.end(),
-    [&leaves](const std::unique_ptr<Part>& part)
+  std::unique_ptr<Part> part = TakePart(before, leaves.front().Data,
+    [&leaves](const Part& former)
     {
-      const auto* grid = dynamic_cast<const Grid*>(part.get());
+      const auto* grid = dynamic_cast<const Grid*>(&former);
       return grid && grid->IsOf(leaves);
     });
-  std::unique_ptr<Part> part = found != before.end() ? std::move(*found) : std::make_unique<Grid>();
+  if (!part)
+  {
+    part = std::make_unique<Grid>();
+  }
   static_cast<Grid&>(*part).Select(
     leaves, scalars, settings.Image, settings.CacheDirectory, settings.Cropping);
   this->Parts.push_back(std::move(part));

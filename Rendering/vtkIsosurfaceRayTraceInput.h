@@ -18,6 +18,7 @@
 #include "Picture/Scene.h"
 
 #include <functional> // for std::function
+#include <map>        // for std::multimap
 #include <memory>     // for std::unique_ptr
 #include <optional>   // for std::optional
 #include <string>     // for std::string
@@ -195,6 +196,8 @@ public:
 private:
   using Part = vtkIsosurfaceRayTracePart;
   using PartList = std::vector<std::unique_ptr<Part>>;
+  /// By their data: there may be very many of them. Those of the same data are in their order.
+  using FormerParts = std::multimap<vtkDataSet*, std::unique_ptr<Part>>;
 
   std::string SelectLeaves(const vtkIsosurfaceRayTraceInputSettings& settings);
   std::string SelectCloudComponents(vtkVolumeProperty* property);
@@ -203,10 +206,10 @@ private:
     const vtkIsosurfaceRayTraceScalars& scalars);
   std::string AddMesh(const vtkIsosurfaceRayTraceLeaf& leaf,
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
-    PartList& before);
+    FormerParts& before);
   void AddGrid(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
-    PartList& before);
+    FormerParts& before);
   void RemoveParts();
   void JoinParts();
   bool ArePartsIntact(int threads) const;

@@ -215,6 +215,12 @@ bool vtkIsosurfaceRayTraceMesh::IsOf(
 }
 
 //------------------------------------------------------------------------------
+vtkDataSet* vtkIsosurfaceRayTraceMesh::GetFirstData() const
+{
+  return this->GetGrid();
+}
+
+//------------------------------------------------------------------------------
 vtkPointSet* vtkIsosurfaceRayTraceMesh::GetGrid() const
 {
   return this->MadeFrom->Grid;

@@ -66,6 +66,7 @@ public:
   vtkIsosurfaceRayTracing::TracedField& GetField() override { return *this->Field; }
   vtkIsosurfaceRayTracing::Visibility FindVisible() const override;
   vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const override;
+  vtkDataSet* GetFirstData() const override;
   bool IsBuiltOnDemand() const override { return false; }
   bool Update(int threads) override;
   vtkIsosurfaceRayTracing::Bounds FindBox() const override { return this->Field->GetBounds(); }

@@ -20,6 +20,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkDataSet;
 class vtkObject;
 
 class vtkIsosurfaceRayTracePart : public vtkIsosurfaceRayTracing::FieldSource
@@ -27,6 +28,10 @@ class vtkIsosurfaceRayTracePart : public vtkIsosurfaceRayTracing::FieldSource
 public:
   /// From the object space of the field to the coordinates of the data. Known before the field is.
   virtual vtkIsosurfaceRayTracing::Matrix4 FindPhysicalFromObject() const = 0;
+
+  /// What the part was last selected of, the first of several; it may be gone. Null if the part is
+  /// not kept for the same data.
+  virtual vtkDataSet* GetFirstData() const { return nullptr; }
 
   /// Whether the field is so small that it is built when the first ray comes to it.
   virtual bool IsBuiltOnDemand() const = 0;

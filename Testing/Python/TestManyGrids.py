@@ -6,9 +6,10 @@ hit in each block by itself, in the order along the ray."""
 
 import math
 import random
+import time
 import unittest
 
-from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray, vtkMath
+from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray, vtkMath, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_TETRA,
@@ -193,6 +194,31 @@ class TestManyGrids(unittest.TestCase):
                   for _ in range(300)]  # fmt: skip
         composite = multi_block(blocks)
         self.check_hits(composite, blocks, parallel_rays(25), vtkIsosurfaceRayTraceMapper)
+
+    def test_other_blocks_are_found_in_the_time_of_the_first(self):
+        """Those of before are looked for in turn, be there thousands of them."""
+        count = 6000
+        cell = vtkUnstructuredGrid()
+        points = vtkPoints()
+        for point in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
+            points.InsertNextPoint(point)
+        cell.SetPoints(points)
+        cell.InsertNextCell(VTK_TETRA, 4, range(4))
+        set_values(cell, lambda p: p[0] - 0.3)
+        composite = vtkMultiBlockDataSet()
+        mapper, volume = make_volume(composite, 0.0, mapper_class=vtkIsosurfaceRayTraceMeshMapper)
+        mapper.SetNumberOfThreads(1)  # which need not wait for each other on a busy machine
+        seconds = []
+        for _ in range(2):
+            for i in range(count):
+                block = vtkUnstructuredGrid()
+                block.DeepCopy(cell)
+                composite.SetBlock(i, block)
+            composite.Modified()
+            start = time.perf_counter()
+            self.assertTrue(cast(mapper, volume, [((0.1, 0.1, -1.0), (0.15, 0.05, 1.0))] * 3))
+            seconds.append(time.perf_counter() - start)
+        self.assertLess(seconds[1], 1.5 * seconds[0] + 0.2)
 
     def test_blocks_far_apart_take_no_memory_between_them(self):
         blocks = [make_image((1e5 * i, 0, 0), (1, 1, 1), 9, lambda p, i=i: 3.0 - math.dist(p, (1e5 * i + 4, 4, 4)))
