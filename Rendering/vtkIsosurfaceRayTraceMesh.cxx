@@ -363,12 +363,15 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
       continue;
     }
     grid->GetCellPoints(i, ids);
-    if (!type.MayHave(ids->GetNumberOfIds()))
+    const bool mayHave = type.MayHave(ids->GetNumberOfIds());
+    if (mayHave)
+    {
+      grid->GetCell(i, generic);
+    }
+    if (!mayHave || !type.FindParts(generic, ids))
     {
       return "Cell " + std::to_string(i) + " has a wrong number of points.";
     }
-    grid->GetCell(i, generic);
-    type.FindParts(generic, ids);
     const vtkIdType size = type.GetPartSize();
     for (vtkIdType first = 0; first + size <= ids->GetNumberOfIds(); first += size)
     {

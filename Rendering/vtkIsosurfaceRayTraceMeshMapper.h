@@ -16,9 +16,11 @@
  * them is neither flat nor cut at their edges. Every ray is intersected with that very surface.
  * Cells may be of several shapes, overlap, and touch without sharing points. Quadratic cells,
  * polyhedra and other cells of three dimensions are subdivided into tetrahedra by
- * vtkCell::Triangulate, or, where those do not fill the cell, as VTK contours it
- * (VTK_TRIQUADRATIC_HEXAHEDRON into eight hexahedra); cells of fewer dimensions are passed over,
- * and so are cells with a NaN or infinite corner.
+ * vtkCell::Triangulate, or, where those do not fill the cell or cut its faces otherwise than those
+ * of its neighbours, as VTK contours it: VTK_TRIQUADRATIC_HEXAHEDRON into eight hexahedra, Lagrange
+ * hexahedra and wedges into such between their points. (Those of Bezier cells, too, are taken for
+ * points on the cell.) Cells of fewer dimensions are passed over, and so are cells with a NaN or
+ * infinite corner.
  *
  * Points may be float or double, ids of 32 or 64 bits; they are read where they are. The values are
  * those of the points; scalars of cells are averaged to them as vtkCellDataToPointData does.

@@ -5,15 +5,17 @@
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
+#include "vtkHigherOrderHexahedron.h"
+#include "vtkHigherOrderWedge.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkOrderedTriangulator.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkTetra.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -47,41 +49,53 @@ double FindVolume(vtkCell* cell, vtkIdList* ids)
   return volume;
 }
 
-using Place = std::array<double, 3>;
+/// How many parts there are along each parametric axis, and a place on the lattice between them.
+using Order = std::array<int, 3>;
+using Place = std::array<int, 3>;
 
-/// The corners of the eight hexahedra that a hexahedron is divided into, one after the other.
-std::vector<Place> PlaceHexahedra()
+/// The corners of the hexahedra that a hexahedron is divided into, one after the other.
+std::vector<Place> PlaceHexahedra(const Order& order)
 {
-  constexpr int corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
-    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   std::vector<Place> places;
-  for (const auto& octant : corners)
+  for (int k = 0; k < order[2]; ++k)
   {
-    for (const auto& corner : corners)
+    for (int j = 0; j < order[1]; ++j)
     {
-      places.push_back({ 0.5 * (octant[0] + corner[0]), 0.5 * (octant[1] + corner[1]),
-        0.5 * (octant[2] + corner[2]) });
+      for (int i = 0; i < order[0]; ++i)
+      {
+        for (const int side : { k, k + 1 })
+        {
+          places.insert(places.end(),
+            { { i, j, side }, { i + 1, j, side }, { i + 1, j + 1, side }, { i, j + 1, side } });
+        }
+      }
     }
   }
   return places;
 }
 
-/// The corners of the wedges that a wedge is divided into, four in each layer.
-std::vector<Place> PlaceWedges(int layers)
+/// The corners of the wedges that a wedge is divided into, layer by layer.
+std::vector<Place> PlaceWedges(const Order& order)
 {
-  constexpr double triangles[4][3][2] = { { { 0.0, 0.0 }, { 0.5, 0.0 }, { 0.0, 0.5 } },
-    { { 0.5, 0.0 }, { 1.0, 0.0 }, { 0.5, 0.5 } }, { { 0.0, 0.5 }, { 0.5, 0.5 }, { 0.0, 1.0 } },
-    { { 0.5, 0.5 }, { 0.0, 0.5 }, { 0.5, 0.0 } } };
   std::vector<Place> places;
-  for (int layer = 0; layer < layers; ++layer)
+  for (int k = 0; k < order[2]; ++k)
   {
-    for (const auto& triangle : triangles)
+    for (int j = 0; j < order[0]; ++j)
     {
-      for (const int side : { layer, layer + 1 })
+      for (int i = 0; i + j < order[0]; ++i)
       {
-        for (const auto& corner : triangle)
+        for (const int side : { k, k + 1 })
         {
-          places.push_back({ corner[0], corner[1], static_cast<double>(side) / layers });
+          places.insert(places.end(), { { i, j, side }, { i + 1, j, side }, { i, j + 1, side } });
+        }
+        if (i + j + 1 == order[0])
+        {
+          continue;
+        }
+        for (const int side : { k, k + 1 })
+        {
+          places.insert(
+            places.end(), { { i + 1, j + 1, side }, { i, j + 1, side }, { i + 1, j, side } });
         }
       }
     }
@@ -90,26 +104,75 @@ std::vector<Place> PlaceWedges(int layers)
 }
 
 /// The points that a cell has at some places; none if one is missing.
-std::vector<vtkIdType> FindPoints(vtkCell* cell, const std::vector<Place>& places)
+std::vector<vtkIdType> FindPoints(
+  vtkCell* cell, const Order& order, const std::vector<Place>& places)
 {
-  constexpr double closest = 1e-12;
-  const vtkIdType count = cell->GetNumberOfPoints();
+  constexpr double rounding = 1e-6;
+  const double* coordinates = cell->GetParametricCoords();
+  std::map<Place, vtkIdType> lattice;
+  for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+  {
+    Place place;
+    bool isOnLattice = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double coordinate = order[axis] * coordinates[3 * i + axis];
+      place[axis] = static_cast<int>(std::lround(coordinate));
+      isOnLattice = isOnLattice && std::abs(coordinate - place[axis]) < rounding;
+    }
+    if (isOnLattice)
+    {
+      lattice.emplace(place, i);
+    }
+  }
   std::vector<vtkIdType> points;
   for (const Place& place : places)
   {
-    vtkIdType point = 0;
-    while (point < count &&
-      vtkMath::Distance2BetweenPoints(cell->GetPoints()->GetPoint(point), place.data()) > closest)
-    {
-      ++point;
-    }
-    if (point == count)
+    const auto point = lattice.find(place);
+    if (point == lattice.end())
     {
       return {};
     }
-    points.push_back(point);
+    points.push_back(point->second);
   }
   return points;
+}
+
+/// The order of a Lagrange or Bezier hexahedron or wedge, and how many points that asks for; null
+/// for other cells.
+const int* FindOrder(vtkCell* cell)
+{
+  if (auto* hexahedron = vtkHigherOrderHexahedron::SafeDownCast(cell))
+  {
+    return hexahedron->GetOrder();
+  }
+  auto* wedge = vtkHigherOrderWedge::SafeDownCast(cell);
+  return wedge ? wedge->GetOrder() : nullptr;
+}
+
+/// Finds tetrahedra between the point with the least id and the faces without it, which are cut
+/// from their own points with the least id. So neighbours cut a face alike.
+void TriangulateFaces(vtkCell* cell, vtkIdList* ids)
+{
+  vtkIdList* all = cell->GetPointIds();
+  const vtkIdType apex = *std::min_element(all->begin(), all->end());
+  for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+  {
+    vtkIdList* face = cell->GetFace(i)->GetPointIds();
+    const vtkIdType count = face->GetNumberOfIds();
+    const vtkIdType first = std::min_element(face->begin(), face->end()) - face->begin();
+    if (face->GetId(first) == apex)
+    {
+      continue;
+    }
+    for (vtkIdType k = 1; k + 1 < count; ++k)
+    {
+      ids->InsertNextId(apex);
+      ids->InsertNextId(face->GetId(first));
+      ids->InsertNextId(face->GetId((first + k) % count));
+      ids->InsertNextId(face->GetId((first + k + 1) % count));
+    }
+  }
 }
 
 }
@@ -120,7 +183,8 @@ vtkIsosurfaceRayTraceSubdivision::vtkIsosurfaceRayTraceSubdivision(int type)
 {
   const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
   this->HasVolume = cell && cell->GetCellDimension() == 3;
-  this->IsTriangulatedByPoints = type == VTK_CONVEX_POINT_SET;
+  this->IsPrism = type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM;
+  this->IsTriangulatedByPoints = type == VTK_CONVEX_POINT_SET || type == VTK_QUADRATIC_PYRAMID;
   // Cells of later types may have any number of points.
   if (this->HasVolume && type < VTK_CONVEX_POINT_SET)
   {
@@ -146,43 +210,75 @@ void vtkIsosurfaceRayTraceSubdivision::ChooseWay(vtkCell* reference)
   {
     return;
   }
-  const auto take = [&](int type, vtkIdType size, const std::vector<Place>& corners)
-  {
-    const std::vector<vtkIdType> parts = FindPoints(reference, corners);
-    if (!parts.empty())
-    {
-      this->PartType = type;
-      this->PartSize = size;
-      this->Parts = parts;
-    }
-    return !parts.empty();
-  };
-  this->IsTriangulatedByPoints = !take(VTK_HEXAHEDRON, 8, PlaceHexahedra()) &&
-    !take(VTK_WEDGE, 6, PlaceWedges(2)) && !take(VTK_WEDGE, 6, PlaceWedges(1));
+  this->IsTriangulatedByPoints = !this->DivideLattice(reference, VTK_HEXAHEDRON, { 2, 2, 2 }) &&
+    !this->DivideLattice(reference, VTK_WEDGE, { 2, 2, 2 }) &&
+    !this->DivideLattice(reference, VTK_WEDGE, { 2, 2, 1 });
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceSubdivision::FindParts(vtkCell* cell, vtkIdList* ids)
+/// Finds the hexahedra or wedges that a cell has between its points. Returns false if one of these
+/// is missing.
+bool vtkIsosurfaceRayTraceSubdivision::DivideLattice(
+  vtkCell* cell, int type, const std::array<int, 3>& order)
 {
-  if (this->IsTriangulatedByPoints)
+  const bool isHexahedron = type == VTK_HEXAHEDRON;
+  this->Parts = FindPoints(cell, order, isHexahedron ? PlaceHexahedra(order) : PlaceWedges(order));
+  if (this->Parts.empty())
+  {
+    return false;
+  }
+  this->PartType = type;
+  this->PartSize = isHexahedron ? 8 : 6;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Divides a Lagrange or Bezier hexahedron or wedge, if it is not of the order of the last one.
+void vtkIsosurfaceRayTraceSubdivision::DivideByOrder(vtkCell* cell, const int* order)
+{
+  if (std::equal(this->Order.begin(), this->Order.end(), order))
+  {
+    return;
+  }
+  std::copy_n(order, this->Order.size(), this->Order.begin());
+  this->Parts.clear();
+  const bool hasAllPoints = order[3] == cell->GetNumberOfPoints();
+  if (hasAllPoints && *std::min_element(order, order + 3) > 0)
+  {
+    this->DivideLattice(cell, cell->GetNumberOfFaces() == 6 ? VTK_HEXAHEDRON : VTK_WEDGE,
+      { order[0], order[1], order[2] });
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceSubdivision::FindParts(vtkGenericCell* cell, vtkIdList* ids)
+{
+  ids->Reset();
+  if (const int* order = FindOrder(cell->GetRepresentativeCell()))
+  {
+    this->DivideByOrder(cell, order);
+    if (this->Parts.empty())
+    {
+      return false;
+    }
+  }
+  else if (this->IsPrism)
+  {
+    TriangulateFaces(cell, ids);
+  }
+  else if (this->IsTriangulatedByPoints)
   {
     this->TriangulatePoints(cell, ids);
   }
-  else if (this->Parts.empty())
-  {
-    if (cell->Triangulate(0, ids, this->Corners) == 0)
-    {
-      ids->Reset();
-    }
-  }
-  else
+  else if (this->Parts.empty() && cell->Triangulate(0, ids, this->Corners) == 0)
   {
     ids->Reset();
-    for (const vtkIdType point : this->Parts)
-    {
-      ids->InsertNextId(cell->GetPointId(static_cast<int>(point)));
-    }
   }
+  for (const vtkIdType point : this->Parts)
+  {
+    ids->InsertNextId(cell->GetPointId(static_cast<int>(point)));
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

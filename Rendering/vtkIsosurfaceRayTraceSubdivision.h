@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Cells of a type that is not traced, in parts that are: the tetrahedra of vtkCell::Triangulate, if
-// they fill the cell. Those of VTK 9.1 do not fill VTK_TRIQUADRATIC_HEXAHEDRON and some others.
-// These are divided as VTK contours them, into hexahedra or wedges between neighbouring points;
-// where a point in the middle is missing, and VTK_CONVEX_POINT_SET, into the tetrahedra of
-// vtkOrderedTriangulator, which vtkDataSetTriangleFilter makes.
+// they fill the cell and cut faces as those of its neighbours do. Those of VTK 9.1 do not fill
+// VTK_TRIQUADRATIC_HEXAHEDRON and some others, and those of Lagrange and Bezier hexahedra and
+// wedges cut faces otherwise. These are divided as VTK contours them, into hexahedra or wedges
+// between neighbouring points (of Bezier cells, control points); where a point in the middle is
+// missing, VTK_QUADRATIC_PYRAMID, and VTK_CONVEX_POINT_SET, into the tetrahedra of
+// vtkOrderedTriangulator, which vtkDataSetTriangleFilter makes. Prisms are cut by the ids of their
+// points.
 
 #ifndef vtkIsosurfaceRayTraceSubdivision_h
 #define vtkIsosurfaceRayTraceSubdivision_h
@@ -14,11 +17,13 @@
 #include "vtkNew.h"                        // for ivars
 #include "vtkType.h"                       // for vtkIdType
 
+#include <array>  // for ivars
 #include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCell;
+class vtkGenericCell;
 class vtkIdList;
 class vtkOrderedTriangulator;
 class vtkPoints;
@@ -37,8 +42,9 @@ public:
   /// Whether a cell may have so many points.
   bool MayHave(vtkIdType points) const { return this->Points == 0 || this->Points == points; }
 
-  /// Finds the ids of the points of the parts of a cell, one part after the other.
-  void FindParts(vtkCell* cell, vtkIdList* ids);
+  /// Finds the ids of the points of the parts of a cell, one part after the other. Returns false if
+  /// the number of points is not that of the order of the cell.
+  bool FindParts(vtkGenericCell* cell, vtkIdList* ids);
 
   /// The type of parts, and how many points each has.
   int GetPartType() const { return this->PartType; }
@@ -46,6 +52,8 @@ public:
 
 private:
   void ChooseWay(vtkCell* reference);
+  bool DivideLattice(vtkCell* cell, int type, const std::array<int, 3>& order);
+  void DivideByOrder(vtkCell* cell, const int* order);
   void TriangulatePoints(vtkCell* cell, vtkIdList* ids);
 
   bool HasVolume = false;
@@ -53,9 +61,12 @@ private:
   vtkIdType Points = 0;
   int PartType;
   vtkIdType PartSize = 4;
+  bool IsPrism = false;
   bool IsTriangulatedByPoints = false;
   /// The points of hexahedra or wedges.
   std::vector<vtkIdType> Parts;
+  /// That of the last cell, and its number of points, where cells of a type have any order.
+  std::array<int, 4> Order = {};
   vtkNew<vtkOrderedTriangulator> Triangulator;
   vtkNew<vtkPoints> Corners;
 };

@@ -16,14 +16,20 @@ from vtkmodules.vtkCommonCore import (
     vtkUnsignedCharArray,
 )
 from vtkmodules.vtkCommonDataModel import (
+    VTK_BEZIER_HEXAHEDRON,
+    VTK_BEZIER_WEDGE,
     VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON,
     VTK_BIQUADRATIC_QUADRATIC_WEDGE,
     VTK_CONVEX_POINT_SET,
     VTK_HEXAHEDRON,
     VTK_HEXAGONAL_PRISM,
+    VTK_LAGRANGE_HEXAHEDRON,
+    VTK_LAGRANGE_TETRAHEDRON,
+    VTK_LAGRANGE_WEDGE,
     VTK_PYRAMID,
     VTK_QUADRATIC_HEXAHEDRON,
     VTK_QUADRATIC_LINEAR_WEDGE,
+    VTK_QUADRATIC_PYRAMID,
     VTK_QUADRATIC_TETRA,
     VTK_QUADRATIC_WEDGE,
     VTK_TETRA,
@@ -39,6 +45,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkPolyDataMapper,
@@ -183,6 +190,48 @@ class TestMeshMapper(unittest.TestCase):
                 self.assertEqual([hit[2] for hit in hits], len(inside) * [0] + len(inside) * [1])
                 for hit in hits:
                     self.assertAlmostEqual(hit[1], 1.3, delta=1e-12)
+
+    def test_cells_divide_a_face_alike(self):
+        """Each ray enters a closed surface as often as it leaves it."""
+
+        def wavy_ball(point):
+            return 1.1 - math.dist(point, (1.5, 1.5, 1.5)) + 0.08 * math.sin(4.0 * point[0] + 2.0 * point[1])
+
+        random = Random(2)
+        shapes = [(shape, order) for shape in (VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_LAGRANGE_TETRAHEDRON)
+                  for order in (1, 2, 3)]  # fmt: skip
+        shapes += [(VTK_BEZIER_HEXAHEDRON, 2), (VTK_BEZIER_WEDGE, 2), (VTK_HEXAGONAL_PRISM, 1),
+                   (VTK_QUADRATIC_PYRAMID, 1)]  # fmt: skip
+        for shape, order in shapes:
+            with self.subTest(shape=shape, order=order):
+                source = vtkCellTypeSource()
+                source.SetCellType(shape)
+                source.SetCellOrder(order)
+                source.SetBlocksDimensions(3, 3, 3)
+                source.Update()
+                mapper, volume = make_volume(set_values(source.GetOutput(), wavy_ball), 0.0123, opacity=0.1)
+                rays = []
+                for _ in range(1000):
+                    direction = [random.gauss(0.0, 1.0) for _ in range(3)]
+                    far = 8.0 / math.hypot(*direction)
+                    rays.append(([random.gauss(1.5, 0.5) - far * d for d in direction], direction))
+                hits = [hit[0] for hit in cast(mapper, volume, rays)]
+                self.assertGreater(len(hits), 800)
+                self.assertEqual({ray for ray in hits if hits.count(ray) % 2 != 0}, set())
+
+    def test_wrong_number_of_points_of_an_order(self):
+        for shape in (VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_BEZIER_HEXAHEDRON, VTK_BEZIER_WEDGE):
+            for count in (1, 9, 26):
+                with self.subTest(shape=shape, count=count):
+                    random = Random(3)
+                    grid, points = vtkUnstructuredGrid(), vtkPoints()
+                    for _ in range(count):
+                        points.InsertNextPoint(random.random(), random.random(), random.random())
+                    grid.SetPoints(points)
+                    grid.InsertNextCell(shape, count, range(count))
+                    mapper, volume = make_volume(set_values(grid, ball), 0.0)
+                    messages = errors_of(mapper, lambda m=mapper, v=volume: cast(m, v, parallel_rays()))
+                    self.assertIn("Cell 0 has a wrong number of points", messages[0])
 
     def test_convex_point_sets_divide_a_face_alike(self):
         """A ray that comes from below the isovalue, and gets there again, has as many hits that enter as hits that
