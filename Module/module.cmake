@@ -49,6 +49,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceMesh
   Rendering/vtkIsosurfaceRayTraceOutput
   Rendering/vtkIsosurfaceRayTracePicture
+  Rendering/vtkIsosurfaceRayTracePolyhedron
   Rendering/vtkIsosurfaceRayTraceProblems
   Rendering/vtkIsosurfaceRayTraceRequest
   Rendering/vtkIsosurfaceRayTraceScalars

@@ -3,6 +3,7 @@
 #include "vtkIsosurfaceRayTraceMesh.h"
 
 #include "vtkIsosurfaceRayTraceGhosts.h"
+#include "vtkIsosurfaceRayTracePolyhedron.h"
 #include "vtkIsosurfaceRayTraceSubdivision.h"
 
 #include "vtkCell.h"
@@ -12,6 +13,7 @@
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetTriangleFilter.h"
+#include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -115,6 +117,16 @@ const void* FindPoints(vtkPointSet* grid)
 {
   vtkDataArray* points = grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr;
   return points && points->HasStandardMemoryLayout() ? points->GetVoidPointer(0) : nullptr;
+}
+
+double FindMean(vtkDataArray* array, const std::vector<vtkIdType>& points, int component)
+{
+  double sum = 0.0;
+  for (const vtkIdType point : points)
+  {
+    sum += array->GetComponent(point, component);
+  }
+  return sum / static_cast<double>(points.size());
 }
 
 /// When a grid was modified last, but for its arrays: those that are not traced do not matter.
@@ -372,6 +384,11 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
     {
       return "Cell " + std::to_string(i) + " has a wrong number of points.";
     }
+    this->AddCenter(generic->GetPointIds(), ids);
+    if (this->FirstHull < 0 && type.IsHull())
+    {
+      this->FirstHull = i;
+    }
     const vtkIdType size = type.GetPartSize();
     for (vtkIdType first = 0; first + size <= ids->GetNumberOfIds(); first += size)
     {
@@ -383,6 +400,43 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
   this->Connectivity = std::move(connectivity);
   this->ViewOwnCells();
   return "";
+}
+
+//------------------------------------------------------------------------------
+/// Gives the centre of a polyhedron an id, if its parts have it as a corner.
+void vtkIsosurfaceRayTraceMesh::AddCenter(vtkIdList* points, vtkIdList* parts)
+{
+  constexpr vtkIdType center = vtkIsosurfaceRayTracePolyhedron::Center;
+  if (std::find(parts->begin(), parts->end(), center) != parts->end())
+  {
+    std::replace(
+      parts->begin(), parts->end(), center, static_cast<vtkIdType>(this->View.NumberOfPoints));
+    this->Centers.emplace_back(points->begin(), points->end());
+    ++this->View.NumberOfPoints;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds what the centres of polyhedra have to an array of the points.
+void vtkIsosurfaceRayTraceMesh::AddMeans(vtkDataArray* array) const
+{
+  const int components = array->GetNumberOfComponents();
+  std::vector<double> mean(static_cast<std::size_t>(components));
+  vtkIdType center = this->CountPointsOfGrid();
+  for (const std::vector<vtkIdType>& points : this->Centers)
+  {
+    for (int i = 0; i < components; ++i)
+    {
+      mean[i] = FindMean(array, points, i);
+    }
+    array->InsertTuple(center++, mean.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkIsosurfaceRayTraceMesh::CountPointsOfGrid() const
+{
+  return this->View.NumberOfPoints - static_cast<std::int64_t>(this->Centers.size());
 }
 
 //------------------------------------------------------------------------------
@@ -406,6 +460,8 @@ void vtkIsosurfaceRayTraceMesh::Tetrahedralize()
   this->Offsets = { 0 };
   this->Connectivity.clear();
   this->CellIds.clear();
+  this->View.NumberOfPoints = this->CountPointsOfGrid();
+  this->Centers.clear();
   vtkNew<vtkIdList> corners;
   for (vtkIdType i = 0; i < made->GetNumberOfCells(); ++i)
   {
@@ -435,10 +491,11 @@ void vtkIsosurfaceRayTraceMesh::SelectPoints()
 {
   vtkDataArray* points = this->GetGrid()->GetPoints()->GetData();
   const bool isReal = points->GetDataType() == VTK_FLOAT || points->GetDataType() == VTK_DOUBLE;
-  if (!isReal || !points->HasStandardMemoryLayout())
+  if (!isReal || !points->HasStandardMemoryLayout() || !this->Centers.empty())
   {
     this->PlainPoints.TakeReference(vtkDataArray::CreateDataArray(VTK_DOUBLE));
     this->PlainPoints->DeepCopy(points);
+    this->AddMeans(this->PlainPoints);
     points = this->PlainPoints;
   }
   this->View.Points = this->Read(points);
@@ -465,6 +522,17 @@ void vtkIsosurfaceRayTraceMesh::SelectValues()
     this->PointScalars = average->GetOutput()->GetPointData()->GetArray("values");
     ofPoints.Array = this->PointScalars;
     ofPoints.AreOfCells = false;
+  }
+  if (!this->Centers.empty())
+  {
+    // Centres have the means of magnitudes, not the magnitudes of means.
+    ofPoints.MakeView(this->PlainScalars);
+    vtkNew<vtkDoubleArray> all;
+    all->DeepCopy(this->PlainScalars ? this->PlainScalars.Get() : ofPoints.Array);
+    this->AddMeans(all);
+    this->PointScalars = all;
+    ofPoints.Array = all;
+    ofPoints.Component = all->GetNumberOfComponents() == 1 ? 0 : ofPoints.Component;
   }
   const vtkIsosurfaceRayTraceScalars::View values = ofPoints.MakeView(this->PlainScalars);
   this->Read(this->PlainScalars ? this->PlainScalars.Get() : ofPoints.Array);
@@ -546,6 +614,15 @@ bool vtkIsosurfaceRayTraceMesh::Update(int threads)
   this->FindHiddenCells();
   this->Field = std::make_unique<vtkirt::MeshField>(*this->Cells, threads);
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceMesh::GetWarning() const
+{
+  return this->FirstHull < 0 ? ""
+                             : "Cell " + std::to_string(this->FirstHull) +
+      " is a polyhedron that is not convex, and not all of it is seen from its centre. It is drawn "
+      "as its convex hull, and so are others like it. Divide them into convex cells.";
 }
 
 //------------------------------------------------------------------------------
@@ -636,13 +713,18 @@ vtkIdType vtkIsosurfaceRayTraceMesh::FindPoint(const vtkirt::Hit& hit) const
   vtkirt::MeshCell cell;
   this->Cells->Load(hit.Cell, cell);
   const vtkirt::Vector3 position = this->Field->GetPoint(hit);
-  const auto* nearest = std::min_element(cell.Points, cell.Points + cell.Count,
-    [&position](const vtkirt::Vector3& a, const vtkirt::Vector3& b)
+  std::int64_t nearest = -1;
+  double least = VTK_DOUBLE_MAX;
+  for (int i = 0; i < cell.Count; ++i)
+  {
+    const double square = vtkMath::Distance2BetweenPoints(cell.Points[i].data(), position.data());
+    if (square < least && cell.Ids[i] < this->CountPointsOfGrid())
     {
-      return vtkMath::Distance2BetweenPoints(a.data(), position.data()) <
-        vtkMath::Distance2BetweenPoints(b.data(), position.data());
-    });
-  return this->Leaf.FirstPoint + cell.Ids[nearest - cell.Points];
+      least = square;
+      nearest = cell.Ids[i];
+    }
+  }
+  return this->Leaf.FirstPoint + nearest;
 }
 
 //------------------------------------------------------------------------------
@@ -659,18 +741,27 @@ void vtkIsosurfaceRayTraceMesh::SampleColors(
     for (int i = 0; i < cell.Count; ++i)
     {
       // Values without weight may be NaN.
-      values[component] += weights[i] == 0.0
-        ? 0.0
-        : weights[i] * this->Leaf.Colors->GetComponent(cell.Ids[i], component);
+      values[component] +=
+        weights[i] == 0.0 ? 0.0 : weights[i] * this->FindColor(cell.Ids[i], component);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/// The number to colour by that a point has, or a centre.
+double vtkIsosurfaceRayTraceMesh::FindColor(std::int64_t point, int component) const
+{
+  const std::int64_t center = point - this->CountPointsOfGrid();
+  return center < 0
+    ? this->Leaf.Colors->GetComponent(point, component)
+    : FindMean(this->Leaf.Colors, this->Centers[static_cast<std::size_t>(center)], component);
 }
 
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceMesh::IsIntact() const
 {
   const vtkDataArray* colors = this->Leaf.Colors;
-  return (!colors || colors->GetNumberOfTuples() >= this->View.NumberOfPoints) &&
+  return (!colors || colors->GetNumberOfTuples() >= this->CountPointsOfGrid()) &&
     std::all_of(this->ReadArrays.begin(), this->ReadArrays.end(),
       [](const ReadArray& read)
       {

@@ -69,6 +69,7 @@ public:
   vtkDataSet* GetFirstData() const override;
   bool IsBuiltOnDemand() const override { return false; }
   bool Update(int threads) override;
+  std::string GetWarning() const override;
   vtkIsosurfaceRayTracing::Bounds FindBox() const override { return this->Field->GetBounds(); }
   /// As if all cells were cubes of one size.
   double FindCellSize() const override;
@@ -105,12 +106,16 @@ private:
   std::string SelectListedCells(vtkUnstructuredGrid* grid, int threads);
   void ViewCells(vtkUnstructuredGrid* grid);
   std::string SubdivideCells(vtkUnstructuredGrid* grid);
+  void AddCenter(vtkIdList* points, vtkIdList* parts);
+  void AddMeans(vtkDataArray* array) const;
   void Tetrahedralize();
   void ViewOwnCells();
   void SelectPoints();
   void SelectValues();
   void FindHiddenCells();
   void FindPointsOfCell(std::int64_t number, vtkIdList* points) const;
+  double FindColor(std::int64_t point, int component) const;
+  std::int64_t CountPointsOfGrid() const;
 
   /// What the mesh is made from.
   std::unique_ptr<Key> MadeFrom;
@@ -131,6 +136,11 @@ private:
   std::vector<std::int64_t> Offsets;
   std::vector<std::int64_t> Connectivity;
   std::vector<vtkIdType> CellIds;
+  /// The points of each polyhedron that has a centre. Their means are more points, after those of
+  /// the grid.
+  std::vector<std::vector<vtkIdType>> Centers;
+  /// The first polyhedron whose hull is traced instead of it, or less than 0.
+  vtkIdType FirstHull = -1;
   std::vector<unsigned char> HiddenCells;
 };
 

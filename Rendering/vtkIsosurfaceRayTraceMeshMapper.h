@@ -14,13 +14,17 @@
  * Hexahedra, voxels, wedges and pyramids are isoparametric: positions and values are the
  * (collapsed) trilinear interpolants of the corners, their faces are bilinear, and the surface in
  * them is neither flat nor cut at their edges. Every ray is intersected with that very surface.
- * Cells may be of several shapes, overlap, and touch without sharing points. Quadratic cells,
- * polyhedra and other cells of three dimensions are subdivided into tetrahedra by
- * vtkCell::Triangulate, or, where those do not fill the cell or cut its faces otherwise than those
- * of its neighbours, as VTK contours it: VTK_TRIQUADRATIC_HEXAHEDRON into eight hexahedra, Lagrange
- * hexahedra and wedges into such between their points. (Those of Bezier cells, too, are taken for
- * points on the cell.) Cells of fewer dimensions are passed over, and so are cells with a NaN or
- * infinite corner.
+ * Cells may be of several shapes, overlap, and touch without sharing points. Quadratic cells and
+ * other cells of three dimensions are subdivided into tetrahedra by vtkCell::Triangulate, or, where
+ * those do not fill the cell or cut its faces otherwise than those of its neighbours, as VTK
+ * contours it: VTK_TRIQUADRATIC_HEXAHEDRON into eight hexahedra, Lagrange hexahedra and wedges into
+ * such between their points. (Those of Bezier cells, too, are taken for points on the cell.) Cells
+ * of fewer dimensions are passed over, and so are cells with a NaN or infinite corner.
+ *
+ * Polyhedra need not be convex, nor their faces flat: they are subdivided into tetrahedra between
+ * the triangles of their faces and the mean of their points, which has the mean of their values.
+ * Where that does not see all faces from inside, as in a U, the convex hull is drawn, with a
+ * warning that names the first such cell.
  *
  * Points may be float or double, ids of 32 or 64 bits; they are read where they are. The values are
  * those of the points; scalars of cells are averaged to them as vtkCellDataToPointData does.
@@ -211,7 +215,7 @@ public:
    * Set/Get whether cells are split into tetrahedra, as vtkDataSetTriangleFilter does, in which
    * values are linear: the surface is that of a contour of these, and not that of the cells as VTK
    * interpolates them. Rays take less time; the tetrahedra take memory, about 50 bytes each (a
-   * hexahedron becomes five or six). Default: off.
+   * hexahedron becomes five or six). Polyhedra become their convex hulls. Default: off.
    */
   vtkSetMacro(Tetrahedralize, bool);
   vtkGetMacro(Tetrahedralize, bool);

@@ -33,16 +33,16 @@ void MakeReference(vtkCell* cell)
   }
 }
 
-/// The volume of tetrahedra between points of a cell; the ids are numbers of points.
-double FindVolume(vtkCell* cell, vtkIdList* ids)
+/// The volume of tetrahedra, given by their corners.
+double FindVolume(vtkPoints* points)
 {
   double volume = 0.0;
-  for (vtkIdType first = 0; first + 4 <= ids->GetNumberOfIds(); first += 4)
+  for (vtkIdType first = 0; first + 4 <= points->GetNumberOfPoints(); first += 4)
   {
     double corners[4][3];
     for (int i = 0; i < 4; ++i)
     {
-      cell->GetPoints()->GetPoint(ids->GetId(first + i), corners[i]);
+      points->GetPoint(first + i, corners[i]);
     }
     volume += std::abs(vtkTetra::ComputeVolume(corners[0], corners[1], corners[2], corners[3]));
   }
@@ -183,6 +183,7 @@ vtkIsosurfaceRayTraceSubdivision::vtkIsosurfaceRayTraceSubdivision(int type)
 {
   const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
   this->HasVolume = cell && cell->GetCellDimension() == 3;
+  this->IsPolyhedron = type == VTK_POLYHEDRON;
   this->IsPrism = type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM;
   this->IsTriangulatedByPoints = type == VTK_CONVEX_POINT_SET || type == VTK_QUADRATIC_PYRAMID;
   // Cells of later types may have any number of points.
@@ -203,10 +204,10 @@ void vtkIsosurfaceRayTraceSubdivision::ChooseWay(vtkCell* reference)
   MakeReference(reference);
   vtkNew<vtkIdList> ids;
   this->TriangulatePoints(reference, ids);
-  const double volume = FindVolume(reference, ids);
+  const double volume = FindVolume(this->Corners);
   reference->Triangulate(0, ids, this->Corners);
   constexpr double rounding = 1e-9;
-  if (FindVolume(reference, ids) >= (1.0 - rounding) * volume)
+  if (FindVolume(this->Corners) >= (1.0 - rounding) * volume)
   {
     return;
   }
@@ -262,6 +263,10 @@ bool vtkIsosurfaceRayTraceSubdivision::FindParts(vtkGenericCell* cell, vtkIdList
       return false;
     }
   }
+  else if (this->IsPolyhedron)
+  {
+    this->DividePolyhedron(cell, ids);
+  }
   else if (this->IsPrism)
   {
     TriangulateFaces(cell, ids);
@@ -279,6 +284,21 @@ bool vtkIsosurfaceRayTraceSubdivision::FindParts(vtkGenericCell* cell, vtkIdList
     ids->InsertNextId(cell->GetPointId(static_cast<int>(point)));
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Where parts overlap, takes those of the hull. It is the cell where just the faces do not fit.
+void vtkIsosurfaceRayTraceSubdivision::DividePolyhedron(vtkCell* cell, vtkIdList* ids)
+{
+  this->HasHull = false;
+  if (this->Polyhedron.Divide(cell, ids))
+  {
+    return;
+  }
+  cell->Triangulate(0, ids, this->Corners);
+  constexpr double rounding = 1e-6;
+  const double volume = this->Polyhedron.GetVolume();
+  this->HasHull = std::abs(FindVolume(this->Corners) - volume) > rounding * volume;
 }
 
 //------------------------------------------------------------------------------

@@ -13,9 +13,10 @@
 #ifndef vtkIsosurfaceRayTraceSubdivision_h
 #define vtkIsosurfaceRayTraceSubdivision_h
 
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkNew.h"                        // for ivars
-#include "vtkType.h"                       // for vtkIdType
+#include "vtkIsosurfaceRayTracePolyhedron.h" // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"   // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkNew.h"                          // for ivars
+#include "vtkType.h"                         // for vtkIdType
 
 #include <array>  // for ivars
 #include <vector> // for std::vector
@@ -43,8 +44,12 @@ public:
   bool MayHave(vtkIdType points) const { return this->Points == 0 || this->Points == points; }
 
   /// Finds the ids of the points of the parts of a cell, one part after the other. Returns false if
-  /// the number of points is not that of the order of the cell.
+  /// the number of points is not that of the order of the cell. The centre of a polyhedron is
+  /// vtkIsosurfaceRayTracePolyhedron::Center.
   bool FindParts(vtkGenericCell* cell, vtkIdList* ids);
+
+  /// Whether the parts of the last cell are those of the convex hull of a cell that is not convex.
+  bool IsHull() const { return this->HasHull; }
 
   /// The type of parts, and how many points each has.
   int GetPartType() const { return this->PartType; }
@@ -54,6 +59,7 @@ private:
   void ChooseWay(vtkCell* reference);
   bool DivideLattice(vtkCell* cell, int type, const std::array<int, 3>& order);
   void DivideByOrder(vtkCell* cell, const int* order);
+  void DividePolyhedron(vtkCell* cell, vtkIdList* ids);
   void TriangulatePoints(vtkCell* cell, vtkIdList* ids);
 
   bool HasVolume = false;
@@ -61,12 +67,15 @@ private:
   vtkIdType Points = 0;
   int PartType;
   vtkIdType PartSize = 4;
+  bool IsPolyhedron = false;
+  bool HasHull = false;
   bool IsPrism = false;
   bool IsTriangulatedByPoints = false;
   /// The points of hexahedra or wedges.
   std::vector<vtkIdType> Parts;
   /// That of the last cell, and its number of points, where cells of a type have any order.
   std::array<int, 4> Order = {};
+  vtkIsosurfaceRayTracePolyhedron Polyhedron;
   vtkNew<vtkOrderedTriangulator> Triangulator;
   vtkNew<vtkPoints> Corners;
 };

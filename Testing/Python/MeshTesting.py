@@ -4,8 +4,8 @@
 
 import math
 
-from vtkmodules.vtkCommonCore import vtkCommand, vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStructuredGrid
+from vtkmodules.vtkCommonCore import vtkCommand, vtkDoubleArray, vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkPolyData, vtkStructuredGrid, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 from vtkmodules.vtkRenderingCore import vtkVolume
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMeshMapper
@@ -71,6 +71,27 @@ def make_volume(grid, *isovalues, mapper_class=vtkIsosurfaceRayTraceMeshMapper, 
         colors.AddRGBPoint(isovalue, 0.9, 0.7, 0.5)
         opacities.AddPoint(isovalue, opacity)
     return mapper, volume
+
+
+def insert_polyhedron(grid, faces):
+    stream = [len(faces)]
+    for face in faces:
+        stream += [len(face), *face]
+    ids = vtkIdList()
+    for number in stream:
+        ids.InsertNextId(number)
+    grid.InsertNextCell(VTK_POLYHEDRON, ids)
+
+
+def make_polyhedra(hexahedra):
+    """A grid of hexahedra as one of polyhedra."""
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(hexahedra.GetPoints())
+    grid.GetPointData().ShallowCopy(hexahedra.GetPointData())
+    for i in range(hexahedra.GetNumberOfCells()):
+        cell = hexahedra.GetCell(i)
+        insert_polyhedron(grid, [[cell.GetFace(k).GetPointId(j) for j in range(4)] for k in range(6)])
+    return grid
 
 
 def cast(mapper, volume, rays):

@@ -19,7 +19,17 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 import vtkmodules.vtkRenderingOpenGL2  # the window
 
-from MeshTesting import SIZE, ball, errors_of, make_grid, make_structured_grid, make_volume, plane, set_values
+from MeshTesting import (
+    SIZE,
+    ball,
+    errors_of,
+    make_grid,
+    make_polyhedra,
+    make_structured_grid,
+    make_volume,
+    plane,
+    set_values,
+)
 
 PIXELS = 60
 BLUE, RED = (0.1, 0.2, 0.9), (0.9, 0.1, 0.0)
@@ -99,8 +109,8 @@ class TestMeshColors(unittest.TestCase):
         for shape in (VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_QUADRATIC_TETRA):
             with self.subTest(shape=shape):
                 self.check(add_array(make_grid(shape, ball), "height", height), "height", self.color_of_height)
-        grid = add_array(make_structured_grid(ball), "height", height)
-        self.check(grid, "height", self.color_of_height)
+        for grid in (make_structured_grid(ball), make_polyhedra(make_grid(VTK_HEXAHEDRON, ball))):
+            self.check(add_array(grid, "height", height), "height", self.color_of_height)
 
     def test_vectors(self):
         """They have the colour of a component, at first of the first one, or of the magnitude."""

@@ -9,6 +9,7 @@ from random import Random
 
 from vtkmodules.vtkCommonCore import (
     mutable,
+    vtkCommand,
     vtkDoubleArray,
     vtkIdList,
     vtkIdTypeArray,
@@ -26,6 +27,7 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_LAGRANGE_HEXAHEDRON,
     VTK_LAGRANGE_TETRAHEDRON,
     VTK_LAGRANGE_WEDGE,
+    VTK_POLYHEDRON,
     VTK_PYRAMID,
     VTK_QUADRATIC_HEXAHEDRON,
     VTK_QUADRATIC_LINEAR_WEDGE,
@@ -62,6 +64,7 @@ from MeshTesting import (
     ball,
     cast,
     errors_of,
+    insert_polyhedron,
     make_grid,
     make_structured_grid,
     make_volume,
@@ -85,6 +88,44 @@ def make_cells(shape, value):
         ids = [points.InsertNextPoint(x + shift, y, z) for x, y, z in places]
         grid.InsertNextCell(shape, len(ids), ids)
     grid.SetPoints(points)
+    return set_values(grid, value)
+
+
+def make_prism(polygon, value):
+    """One polyhedron over a polygon, from z = 0 to 1."""
+    grid, points, count = vtkUnstructuredGrid(), vtkPoints(), len(polygon)
+    points.SetDataTypeToDouble()
+    for z in (0.0, 1.0):
+        for x, y in polygon:
+            points.InsertNextPoint(x, y, z)
+    grid.SetPoints(points)
+    sides = [(i, (i + 1) % count, count + (i + 1) % count, count + i) for i in range(count)]
+    insert_polyhedron(grid, [range(count), range(count, 2 * count), *sides])
+    return set_values(grid, value)
+
+
+def make_uneven_cubes(value):
+    """Polyhedra of which the faces are not flat, and turned in and out at random."""
+    random, size = Random(4), 4
+    grid, points = vtkUnstructuredGrid(), vtkPoints()
+    points.SetDataTypeToDouble()
+    places = [(x, y, z) for z in range(size) for y in range(size) for x in range(size)]
+    numbers = random.sample(range(len(places)), len(places))
+    points.SetNumberOfPoints(len(places))
+    for place, number in zip(places, numbers):
+        points.SetPoint(number, [p + random.uniform(-0.1, 0.1) for p in place])
+    grid.SetPoints(points)
+    of_place = dict(zip(places, numbers))
+    corners = ((0, 0), (1, 0), (1, 1), (0, 1))
+    for first in places:
+        if max(first) + 1 < size:
+            faces = []
+            for axis in range(3):
+                for side in (0, 1):
+                    offsets = [(*c[:axis], side, *c[axis:]) for c in corners]
+                    face = [of_place[tuple(f + o for f, o in zip(first, offset))] for offset in offsets]
+                    faces.append(face if random.random() < 0.5 else face[::-1])
+            insert_polyhedron(grid, faces)
     return set_values(grid, value)
 
 
@@ -192,12 +233,9 @@ class TestMeshMapper(unittest.TestCase):
                     self.assertAlmostEqual(hit[1], 1.3, delta=1e-12)
 
     def test_cells_divide_a_face_alike(self):
-        """Each ray enters a closed surface as often as it leaves it."""
-
         def wavy_ball(point):
             return 1.1 - math.dist(point, (1.5, 1.5, 1.5)) + 0.08 * math.sin(4.0 * point[0] + 2.0 * point[1])
 
-        random = Random(2)
         shapes = [(shape, order) for shape in (VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_LAGRANGE_TETRAHEDRON)
                   for order in (1, 2, 3)]  # fmt: skip
         shapes += [(VTK_BEZIER_HEXAHEDRON, 2), (VTK_BEZIER_WEDGE, 2), (VTK_HEXAGONAL_PRISM, 1),
@@ -209,15 +247,55 @@ class TestMeshMapper(unittest.TestCase):
                 source.SetCellOrder(order)
                 source.SetBlocksDimensions(3, 3, 3)
                 source.Update()
-                mapper, volume = make_volume(set_values(source.GetOutput(), wavy_ball), 0.0123, opacity=0.1)
-                rays = []
-                for _ in range(1000):
-                    direction = [random.gauss(0.0, 1.0) for _ in range(3)]
-                    far = 8.0 / math.hypot(*direction)
-                    rays.append(([random.gauss(1.5, 0.5) - far * d for d in direction], direction))
-                hits = [hit[0] for hit in cast(mapper, volume, rays)]
-                self.assertGreater(len(hits), 800)
-                self.assertEqual({ray for ray in hits if hits.count(ray) % 2 != 0}, set())
+                self._check_closed(set_values(source.GetOutput(), wavy_ball), 0.0123)
+        with self.subTest(shape=VTK_POLYHEDRON):
+            self._check_closed(make_uneven_cubes(wavy_ball), 0.0123)
+
+    def _check_closed(self, grid, value):
+        """Each ray enters a closed surface as often as it leaves it."""
+        random = Random(2)
+        rays = []
+        for _ in range(1000):
+            direction = [random.gauss(0.0, 1.0) for _ in range(3)]
+            far = 8.0 / math.hypot(*direction)
+            rays.append(([random.gauss(1.5, 0.5) - far * d for d in direction], direction))
+        hits = [hit[0] for hit in cast(*make_volume(grid, value, opacity=0.1), rays)]
+        self.assertGreater(len(hits), 800)
+        self.assertEqual({ray for ray in hits if hits.count(ray) % 2 != 0}, set())
+
+    def test_polyhedra_that_are_not_convex(self):
+        """Those seen from their centres are traced; of others the hull, with a warning."""
+        rays = [((0.03 + 0.1 * i, 0.04 + 0.1 * j, -1.0), (0.0, 0.0, 1.0)) for i in range(20) for j in range(20)]
+        corner = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)]
+        mapper, volume = make_volume(make_prism(corner, lambda point: point[2]), 0.3)
+        hits = []
+        warnings = errors_of(mapper, lambda: hits.extend(cast(mapper, volume, rays)), vtkCommand.WarningEvent)
+        self.assertEqual(warnings, [])
+        inside = [i for i, ((x, y, _), _) in enumerate(rays) if x < 1.0 or y < 1.0]
+        self.assertEqual([hit[0] for hit in hits], inside)
+        for hit in hits:
+            self.assertAlmostEqual(hit[1], 1.3, delta=1e-12)
+        fork = [(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
+        mapper, volume = make_volume(make_prism(fork, lambda point: point[2]), 0.3)
+        warnings = errors_of(mapper, lambda: cast(mapper, volume, rays), vtkCommand.WarningEvent)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("Cell 0 is a polyhedron", warnings[0])
+        self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, rays), vtkCommand.WarningEvent), [])
+
+    def test_centres_of_polyhedra_are_not_picked(self):
+        square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
+        mapper, volume = make_volume(make_prism(square, lambda point: point[2]), 0.45)
+        window, renderer = vtkRenderWindow(), vtkRenderer()
+        window.SetOffScreenRendering(True)
+        window.SetSize(80, 80)
+        window.AddRenderer(renderer)
+        renderer.AddVolume(volume)
+        renderer.ResetCamera()
+        window.Render()
+        picker = vtkIsosurfacePicker()
+        for x in range(30, 51, 5):
+            self.assertTrue(picker.Pick(x, 40, 0, renderer))
+            self.assertIn(picker.GetPointId(), range(8))
 
     def test_wrong_number_of_points_of_an_order(self):
         for shape in (VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_BEZIER_HEXAHEDRON, VTK_BEZIER_WEDGE):
