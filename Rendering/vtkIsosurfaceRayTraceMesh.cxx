@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -117,6 +118,14 @@ const void* FindPoints(vtkPointSet* grid)
 {
   vtkDataArray* points = grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr;
   return points && points->HasStandardMemoryLayout() ? points->GetVoidPointer(0) : nullptr;
+}
+
+/// VTK 9.1 evaluates Bezier cells in memory that all threads have in common.
+std::unique_lock<std::mutex> LockEvaluation(int type)
+{
+  static std::mutex mutex;
+  const bool isBezier = type >= VTK_BEZIER_TETRAHEDRON && type <= VTK_BEZIER_PYRAMID;
+  return isBezier ? std::unique_lock<std::mutex>(mutex) : std::unique_lock<std::mutex>();
 }
 
 double FindMean(vtkDataArray* array, const std::vector<vtkIdType>& points, int component)
@@ -673,6 +682,7 @@ void vtkIsosurfaceRayTraceMesh::MoveToWholeCell(
   vtkirt::Vector3 found;
   double distance = 0.0;
   int subId = 0;
+  const std::unique_lock<std::mutex> lock = LockEvaluation(whole->GetCellType());
   if (whole->EvaluatePosition(
         position.data(), closest.data(), subId, found.data(), distance, weights.data()) >= 0)
   {

@@ -4,7 +4,10 @@
 """The mapper of meshes: cells of every shape, pictures, rays, picking, errors."""
 
 import math
+import subprocess
+import sys
 import unittest
+from pathlib import Path
 from random import Random
 
 from vtkmodules.vtkCommonCore import (
@@ -342,6 +345,18 @@ class TestMeshMapper(unittest.TestCase):
                     mapper, volume = make_volume(grid, value)
                     mapper.SetTetrahedralize(splits)
                     self._check_parametric(mapper, volume, grid)
+
+    def test_bezier_cells_are_evaluated_by_one_thread(self):
+        """VTK allots memory for all threads where it evaluates the first one, which crashes one process in four."""
+        code = f"""
+from MeshTesting import *
+rays = [((0.04 * i, 0.04 * j, -1.0), (0.01, 0.002, 1.0)) for i in range(1, 150) for j in range(1, 150)]
+print(len(cast(*make_volume(make_grid({VTK_BEZIER_WEDGE}, plane), 3.3), rays)))
+"""
+        for _ in range(8):
+            done = subprocess.run([sys.executable, "-c", code], cwd=Path(__file__).parent, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertGreater(int(done.stdout), 5000)
 
     def _check_parametric(self, mapper, volume, grid):
         origins, directions, hits = vtkPoints(), vtkDoubleArray(), vtkPolyData()
