@@ -321,6 +321,32 @@ class TestAmr(unittest.TestCase):
         in_block, flat_index = mutable(0), mutable(0)
         self.assertFalse(any(mapper.FindBlock(hit[2], in_block, flat_index) is grids[3] for hit in hidden))
 
+    def test_projections_show_no_hidden_cells_at_the_border(self):
+        for axis, of_cells, is_covered in itertools.product(range(3), (False, True), (False, True)):
+            with self.subTest(axis=axis, of_cells=of_cells, is_covered=is_covered):
+                amr = vtkOverlappingAMR()
+                blocks = [(0, (0, 0, 0), (4, 4, 4))]
+                if is_covered:
+                    first = tuple(4 if k == axis else 0 for k in range(3))
+                    blocks.append((1, first, tuple(8 - k for k in first)))
+                grids = fill(amr, blocks, of_cells, value=lambda point: point[axis])
+                if is_covered:
+                    data = grids[1].GetCellData() if of_cells else grids[1].GetPointData()
+                    data.GetScalars().Fill(1.0)
+                else:
+                    for number in range(64):
+                        if number // 4**axis % 4 == 3:
+                            grids[0].BlankCell(number)
+                mapper, volume = make_mapper(amr)
+                mapper.SetBlendModeToMaximumIntensity()
+                start = [-1.0 if k == axis else 1.7 for k in range(3)]
+                end = [5.0 if k == axis else 1.6 for k in range(3)]
+                t, position, parametric, cell = mutable(0.0), [0.0] * 3, [0.0] * 3, mutable(0)
+                largest, normal = mutable(0.0), [0.0] * 3
+                self.assertTrue(
+                    mapper.IntersectWithLine(volume, start, end, t, position, parametric, cell, largest, normal))
+                self.assertLess(largest.get(), 3.0 + 1e-6)
+
     def test_cells_with_a_blanked_point_are_not_hit(self):
         for of_cells in (False, True):
             with self.subTest(of_cells):

@@ -645,6 +645,26 @@ bool AmrHierarchy::IsCoveredByCoarser(int level, const Index3& cell, int coarses
 }
 
 //------------------------------------------------------------------------------
+/// Whether the patch that has a cell, of its level or else of the next coarser one, shows it.
+bool AmrHierarchy::IsShown(int level, const Index3& cell) const
+{
+  Index3 around = cell;
+  for (int coarser = level; coarser >= 0; --coarser)
+  {
+    if (const AmrPatch* owner = this->FindOwner(coarser, around))
+    {
+      return !owner->HiddenCells || owner->HiddenCells[GetNumber(*owner, around)] == 0;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      around[axis] =
+        FloorDivide(around[axis], this->Levels[static_cast<std::size_t>(coarser)].Ratio[axis]);
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 std::vector<AmrRegion> AmrHierarchy::MakeRegions(int cells) const
 {
   std::vector<AmrRegion> regions;
@@ -941,6 +961,29 @@ AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
 }
 
 //------------------------------------------------------------------------------
+/// Hides cells of the layer behind a region that are behind hidden ones, and have nothing of their
+/// own to show: rays of projections go on into them.
+void AmrHierarchy::HideBehind(const AmrRegion& region, std::vector<unsigned char>& isHidden) const
+{
+  const Index3 size = { region.Cells[0] + 1, region.Cells[1] + 1, region.Cells[2] + 1 };
+  ForEachIndex({ 0, 0, 0 }, size,
+    [&](const Index3& place)
+    {
+      Index3 last;
+      Index3 cell;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        last[axis] = std::min(place[axis], region.Cells[axis] - 1);
+        cell[axis] = region.First[axis] + place[axis];
+      }
+      if (place != last && isHidden[Offset(last, size)] != 0 && !this->IsShown(region.Level, cell))
+      {
+        isHidden[Offset(place, size)] = 1;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 /// Cells behind the region count, too: a ray in a face of it may be taken for one in these.
 void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
 {
@@ -1010,6 +1053,7 @@ void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
   {
     return;
   }
+  this->HideBehind(region, isHidden);
   const int nodesOfCell = this->GetNodesOfCell();
   const Index3 cells = { nodes.Dimensions[0] - 2, nodes.Dimensions[1] - 2,
     nodes.Dimensions[2] - 2 };

@@ -144,6 +144,7 @@ private:
   bool IsCoveredByFiner(int level, const Index3& cell) const;
   /// By a level that is not coarser than a given one.
   bool IsCoveredByCoarser(int level, const Index3& cell, int coarsest) const;
+  bool IsShown(int level, const Index3& cell) const;
   double FindMean(int level, const Index3& cell) const;
   void FindLentRanges();
   bool IsInCoarser(const AmrPatch& patch) const;
@@ -155,6 +156,7 @@ private:
   void Split(AmrRegion&& region, std::vector<AmrRegion>& regions) const;
   std::vector<double> GatherSamples(const AmrRegion& region, Index3& dimensions) const;
   bool FillInner(const AmrRegion& region, AmrNodes& nodes) const;
+  void HideBehind(const AmrRegion& region, std::vector<unsigned char>& isHidden) const;
   void HideCells(const AmrRegion& region, AmrNodes& nodes) const;
 
   bool OfCells;
