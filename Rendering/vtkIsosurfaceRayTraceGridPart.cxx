@@ -59,9 +59,10 @@ bool vtkIsosurfaceRayTraceGridPart::IsOf(const std::vector<vtkIsosurfaceRayTrace
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceGridPart::Select(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
-  const vtkIsosurfaceRayTraceScalars& scalars, const vtkirt::ImageSettings& settings,
-  const std::string& cacheDirectory, vtkVolumeMapper* cropping)
+std::string vtkIsosurfaceRayTraceGridPart::Select(
+  const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves, const vtkIsosurfaceRayTraceScalars& scalars,
+  const vtkirt::ImageSettings& settings, const std::string& cacheDirectory,
+  vtkVolumeMapper* cropping)
 {
   this->IsBuilt = false;
   this->Blocks.Update(leaves, scalars.AreOfCells);
@@ -73,6 +74,7 @@ void vtkIsosurfaceRayTraceGridPart::Select(const std::vector<vtkIsosurfaceRayTra
   this->Settings = settings;
   this->CacheDirectory = cacheDirectory;
   this->Cropping = cropping;
+  return vtkIsosurfaceRayTraceSource::FindProblemOfSize(this->Blocks.GetGrid(), scalars.AreOfCells);
 }
 
 //------------------------------------------------------------------------------

@@ -32,8 +32,9 @@ public:
   bool IsOf(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves) const;
 
   /// Selects leaves, which must have no problem and lie on one lattice, with scalars like these.
-  /// The mapper that crops may be null.
-  void Select(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
+  /// The mapper that crops may be null. Returns why they have too few samples together; empty if
+  /// they have enough.
+  std::string Select(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
     const vtkIsosurfaceRayTraceScalars& scalars,
     const vtkIsosurfaceRayTracing::ImageSettings& settings, const std::string& cacheDirectory,
     vtkVolumeMapper* cropping);

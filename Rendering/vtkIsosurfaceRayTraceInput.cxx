@@ -322,6 +322,11 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
   std::vector<Leaf> grids;
   std::string first;
   this->LeftOut = this->Leaves.GetLeftOut();
+  const auto leaveOut = [this, &first](const Leaf& leaf, const std::string& problem)
+  {
+    first = first.empty() ? problem : first;
+    this->LeftOut.Add(leaf, problem);
+  };
   for (const Leaf& leaf : this->Leaves.Get())
   {
     const std::string problem = IsGrid(leaf)
@@ -329,8 +334,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
       : this->AddMesh(leaf, settings, ScalarsOf(leaf, scalars), before);
     if (!problem.empty())
     {
-      first = first.empty() ? problem : first;
-      this->LeftOut.Add(leaf, problem);
+      leaveOut(leaf, problem);
     }
     else if (IsGrid(leaf))
     {
@@ -348,7 +352,11 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
   }
   for (const std::vector<Leaf>& leaves : vtkIsosurfaceRayTraceLattices::Group(grids))
   {
-    this->AddGrid(leaves, settings, scalars, before);
+    const std::string problem = this->AddGrid(leaves, settings, scalars, before);
+    for (std::size_t i = 0; !problem.empty() && i < leaves.size(); ++i)
+    {
+      leaveOut(leaves[i], problem);
+    }
   }
   if (std::equal(this->Parts.begin(), this->Parts.end(), partsBefore.begin(), partsBefore.end(),
         [](const std::unique_ptr<Part>& part, const Part* other) { return part.get() == other; }))
@@ -400,7 +408,8 @@ std::string vtkIsosurfaceRayTraceInput::AddMesh(const Leaf& leaf,
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceInput::AddGrid(const std::vector<Leaf>& leaves,
+/// Returns why the leaves cannot be traced; else empty.
+std::string vtkIsosurfaceRayTraceInput::AddGrid(const std::vector<Leaf>& leaves,
   const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
   FormerParts& before)
 {
@@ -415,9 +424,13 @@ void vtkIsosurfaceRayTraceInput::AddGrid(const std::vector<Leaf>& leaves,
   {
     part = std::make_unique<Grid>();
   }
-  static_cast<Grid&>(*part).Select(
+  const std::string problem = static_cast<Grid&>(*part).Select(
     leaves, scalars, settings.Image, settings.CacheDirectory, settings.Cropping);
-  this->Parts.push_back(std::move(part));
+  if (problem.empty())
+  {
+    this->Parts.push_back(std::move(part));
+  }
+  return problem;
 }
 
 //------------------------------------------------------------------------------

@@ -207,7 +207,7 @@ private:
   std::string AddMesh(const vtkIsosurfaceRayTraceLeaf& leaf,
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
     FormerParts& before);
-  void AddGrid(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
+  std::string AddGrid(const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
     FormerParts& before);
   void RemoveParts();

@@ -49,14 +49,9 @@ std::string vtkIsosurfaceRayTraceSource::FindProblem(
   vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection)
 {
   const vtkirt::Index3 dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
-  const int least = selection.AreOfCells ? 3 : 2;
-  if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) < least)
+  if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) < 2)
   {
-    std::ostringstream text;
-    text << "The input has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-         << " points. An isosurface needs at least 2 samples along each axis, which are "
-         << (least == 2 ? "2 points." : "2 cells, as the scalars are those of cells.");
-    return text.str();
+    return FindProblemOfSize(grid, selection.AreOfCells);
   }
   const std::string problem =
     selection.FindProblem(grid->GetNumberOfPoints(), grid->GetNumberOfCells());
@@ -66,6 +61,21 @@ std::string vtkIsosurfaceRayTraceSource::FindProblem(
   }
   const std::string ofGhosts = vtkIsosurfaceRayTraceProblems::FindInGhosts(grid);
   return ofGhosts.empty() ? vtkIsosurfaceRayTraceGeometry::FindProblem(grid) : ofGhosts;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceSource::FindProblemOfSize(vtkDataSet* grid, bool areOfCells)
+{
+  const vtkirt::Index3 dimensions = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
+  if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) >= (areOfCells ? 3 : 2))
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "The input has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+       << " points. An isosurface needs at least 2 samples along each axis, which are "
+       << (areOfCells ? "2 cells, as the scalars are those of cells." : "2 points.");
+  return text.str();
 }
 
 //------------------------------------------------------------------------------

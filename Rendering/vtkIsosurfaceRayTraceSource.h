@@ -35,8 +35,12 @@ public:
   vtkIsosurfaceRayTraceSource(const vtkIsosurfaceRayTraceSource&) = delete;
   void operator=(const vtkIsosurfaceRayTraceSource&) = delete;
 
-  /// The problem with the input; empty if there is none.
+  /// The problem with the input, or with a block before it is joined with others; empty if there is
+  /// none.
   static std::string FindProblem(vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection);
+
+  /// Why a grid has too few samples; empty if it has enough.
+  static std::string FindProblemOfSize(vtkDataSet* grid, bool areOfCells);
 
   /// Makes the field of the input, which must have no problem, unless it is up to date. Returns
   /// whether it had to be made: then its samples are still to be read. Where they are in a file,

@@ -372,6 +372,18 @@ class TestAmr(unittest.TestCase):
                 grid.BlankPoint(point)
                 self.assertEqual(cast(mapper, volume, rays), left)
 
+    def test_blocks_one_cell_thick(self):
+        slabs, whole = vtkOverlappingAMR(), vtkOverlappingAMR()
+        fill(slabs, [(0, (0, 0, z), (8, 8, 1)) for z in range(8)], True)
+        fill(whole, [(0, (0, 0, 0), (8, 8, 8))], True)
+        rays = random_rays(500)
+        hits = cast(*make_mapper(slabs), rays)
+        expected = cast(*make_mapper(whole), rays)
+        self.assertGreater(len(expected), 100)
+        self.assertEqual([hit[0] for hit in hits], [hit[0] for hit in expected])
+        for hit, other in zip(hits, expected):
+            self.assertAlmostEqual(hit[1], other[1], delta=1e-9)
+
     def test_a_block_that_does_not_fit_is_left_out(self):
         for change, text in ((lambda grid: grid.SetSpacing(0.3, 0.3, 0.3), "whole part"),
                              (lambda grid: grid.SetOrigin(1.1, 1.0, 1.0), "lattice of its level"),

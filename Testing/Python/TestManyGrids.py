@@ -220,6 +220,25 @@ class TestManyGrids(unittest.TestCase):
             seconds.append(time.perf_counter() - start)
         self.assertLess(seconds[1], 1.5 * seconds[0] + 0.2)
 
+    def test_blocks_one_cell_thick(self):
+        def make_block(first, cells):
+            image = vtkImageData()
+            image.SetExtent(0, 6, 0, 6, first, first + cells)
+            values = vtkDoubleArray()
+            for i in range(image.GetNumberOfCells()):
+                values.InsertNextValue(math.cos(1.3 * (36 * first + i)))
+            image.GetCellData().SetScalars(values)
+            return image
+
+        def trace_blocks(blocks):
+            return trace(multi_block(blocks), vtkIsosurfaceRayTraceMapper, parallel_rays(), 0.01)[1]
+
+        expected = trace_blocks([make_block(0, 6)])
+        self.assertGreater(len(expected), 100)
+        self.assertEqual(trace_blocks([make_block(z, 1) for z in range(6)]), expected)
+        mapper, volume = make_volume(multi_block([make_block(0, 1)]), 0.0, mapper_class=vtkIsosurfaceRayTraceMapper)
+        self.assertIn("7 x 7 x 2 points", errors_of(mapper, lambda: cast(mapper, volume, parallel_rays()))[0])
+
     def test_blocks_far_apart_take_no_memory_between_them(self):
         blocks = [make_image((1e5 * i, 0, 0), (1, 1, 1), 9, lambda p, i=i: 3.0 - math.dist(p, (1e5 * i + 4, 4, 4)))
                   for i in range(5)]  # fmt: skip
