@@ -83,7 +83,12 @@ int vtkIsosurfacePicker::Pick(
   this->IsPixel = true;
   this->Pixel[0] = ToPixel(selectionX);
   this->Pixel[1] = ToPixel(selectionY);
-  const int picked = this->Superclass::Pick(selectionX, selectionY, selectionZ, renderer);
+  // The bounds and clipping planes that the superclass tests first must be met by the ray of the
+  // picture, which goes through the centre of the pixel.
+  const int picked = this->Superclass::Pick(
+    std::floor(selectionX) + 0.5, std::floor(selectionY) + 0.5, selectionZ, renderer);
+  this->SelectionPoint[0] = selectionX;
+  this->SelectionPoint[1] = selectionY;
   this->IsPixel = false;
   return picked;
 }

@@ -14,7 +14,7 @@
  * the mapper's NormalMode; of a cap, see the mapper's CapClippingPlanes, that of its plane),
  * GetCellId, GetPCoords, GetCellIJK and GetPointId those of the image (of a mesh there is no
  * GetCellIJK), and GetIsovalue is that of the surface. Other props are picked as by
- * vtkVolumePicker; of all, the nearest is picked.
+ * vtkVolumePicker, at the centre of the pixel; of all, the nearest is picked.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceRayTraceMeshMapper vtkVolumePicker vtkCellPicker
  */

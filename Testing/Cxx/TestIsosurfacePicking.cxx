@@ -275,6 +275,45 @@ void CheckPicker(Checks& check)
   check.That(std::isfinite(cells->GetPickPosition()[0]), "vtkCellPicker behaves");
 }
 
+/// At the border of the data, and of a part cut out of them, each pixel of the picture is picked.
+void CheckBorders(Checks& check)
+{
+  const auto image = NewCube(9, [](const auto& point) { return point[0] + 0.02 * point[1]; });
+  for (const bool isCut : { false, true })
+  {
+    Scene scene(image, Size, Size);
+    scene.SetSurface(0.0, { 0.9, 0.6, 0.3 }, 1.0);
+    for (const double side : { -1.0, 1.0 })
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetOrigin(0.0, -0.2 * side, 0.0);
+      plane->SetNormal(0.0, side, 0.0);
+      if (isCut)
+      {
+        scene.Mapper->AddClippingPlane(plane);
+      }
+    }
+    // The border of the surface is that of the bounds, and aslant to rows of pixels.
+    scene.LookFrom(5.0, 0.0, 0.0);
+    scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+    scene.Renderer->GetActiveCamera()->Roll(10.0);
+    scene.Renderer->ResetCamera();
+    scene.Window->Render();
+    Image picture;
+    scene.Mapper->RenderToImage(scene.Volume, scene.Renderer->GetActiveCamera(),
+      scene.Renderer->GetLights(), Size, Size, picture.Output);
+    vtkNew<vtkIsosurfacePicker> picker;
+    int wrong = 0;
+    for (int i = 0; i < Size * Size; ++i)
+    {
+      const bool isHit = picture.Get<vtkIdTypeArray>("CellId")->GetValue(i) >= 0;
+      const bool isPicked = picker->Pick(i % Size, i / Size, 0.0, scene.Renderer) != 0;
+      wrong += isPicked == isHit ? 0 : 1;
+    }
+    check.Equal(wrong, 0, "the number of pixels picked wrong where data end");
+  }
+}
+
 std::set<vtkIdType> GetCells(Scene& scene)
 {
   Image picture;
@@ -454,6 +493,7 @@ int TestIsosurfacePicking(int, char*[])
   CheckAssembly(check);
   CheckPictures(check);
   CheckPicker(check);
+  CheckBorders(check);
   CheckSelector(check);
   CheckSelectedPixels(check);
   CheckHidden(check);
