@@ -42,8 +42,12 @@ std::string FindName(vtkCompositeDataIterator* iterator)
   return name ? name : "";
 }
 
-constexpr const char* Names =
-  "vtkImageData, vtkRectilinearGrid, vtkUnstructuredGrid or vtkStructuredGrid";
+/// What is wrong with a block of a class that is not traced.
+std::string DescribeClass(vtkDataObject* block)
+{
+  return std::string("It is a ") + block->GetClassName() +
+    ". Give blocks of vtkImageData, vtkRectilinearGrid, vtkUnstructuredGrid or vtkStructuredGrid.";
+}
 
 bool IsTraced(vtkDataSet* data)
 {
@@ -119,7 +123,17 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
   const auto iterator = vtk::TakeSmartPointer(input->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    auto* data = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject());
+    vtkDataObject* object = iterator->GetCurrentDataObject();
+    auto* data = vtkDataSet::SafeDownCast(object);
+    if (!data && object->GetNumberOfElements(vtkDataObject::CELL) > 0 &&
+      displays.Get(object).IsVisible)
+    {
+      // A vtkHyperTreeGrid.
+      Leaf other{};
+      other.FlatIndex = iterator->GetCurrentFlatIndex();
+      other.Name = FindName(iterator);
+      this->LeftOut.Add(other, DescribeClass(object));
+    }
     if (!data || data->GetNumberOfPoints() == 0)
     {
       continue;
@@ -137,7 +151,7 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
     this->SomeHaveOpacities = this->SomeHaveOpacities || leaf.Display.Opacity;
     const std::string problem = IsTraced(data)
       ? (HasVolume(data) ? this->Append(leaf, mapper, colorArrayName) : "")
-      : std::string("It is a ") + data->GetClassName() + ". Give blocks of " + Names + ".";
+      : DescribeClass(data);
     if (!problem.empty())
     {
       this->LeftOut.Add(leaf, problem);

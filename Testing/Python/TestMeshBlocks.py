@@ -26,6 +26,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersExtraction import vtkExtractGrid
+from vtkmodules.vtkFiltersSources import vtkRandomHyperTreeGridSource
 from vtkmodules.vtkRenderingCore import (
     vtkHardwareSelector,
     vtkLight,
@@ -446,7 +447,11 @@ class TestMeshBlocks(unittest.TestCase):
                 self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, parallel_rays())), [])
                 mapper.SetInputDataObject(multi_block(grid))
                 self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, parallel_rays())), [])
+        trees = vtkRandomHyperTreeGridSource()
+        trees.SetDimensions(3, 3, 3)
+        trees.Update()
         cases = [
+            (multi_block(trees.GetOutput(), grid), "Block 1 of the composite input is left out. It is a vtkHyper"),
             (multi_block(poly_data, grid), "Block 1 of the composite input is left out. It is a vtkPolyData"),
             (multi_block(grid, vectors), "Block 2 of the composite input is left out. It has scalars unlike"),
             (multi_block(grid, multi_block(bad_id)), "Block 3 of the composite input is left out. Cell 4"),
