@@ -21,6 +21,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -341,6 +342,12 @@ bool vtkIsosurfaceComparisonFilter::Comparison::MeasureTriangles(
                 "the smallest and the largest scalar.");
     this->Step += this->Self->NumberOfRepeats + 1;
     return this->FinishStep();
+  }
+  auto* image = vtkImageData::SafeDownCast(this->Data);
+  if (image && !image->GetDirectionMatrix()->IsIdentity() && !HeedsDirection(method))
+  {
+    row.AddNote(
+      "The filter ignores the direction matrix of the image: its surface lies elsewhere.");
   }
   std::vector<double> buildTimes;
   std::vector<double> extractionTimes;

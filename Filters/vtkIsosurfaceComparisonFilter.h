@@ -39,7 +39,7 @@
  * |                        | that show the mesh                                                  |
  * | AmbiguousCells         | cells whose signs do not determine the topology, see below          |
  * | TopologyDifferences    | ambiguous cells in which the topology of the mesh is different      |
- * | Note                   | why something could not be measured                                 |
+ * | Note                   | why something could not be measured, or lies elsewhere              |
  *
  * *Pictures* of triangles are shaded with the normals that the filters compute, ray traced ones
  * with the defaults of the mapper. They need an OpenGL window; without one the times are NaN and

@@ -218,6 +218,26 @@ const ExtractionMethod Contour3DLinearGrid = { "vtkContour3DLinearGrid",
   New<MeshExtraction<vtkContour3DLinearGrid>>, false };
 
 //------------------------------------------------------------------------------
+bool HeedsDirection(const ExtractionMethod& method)
+{
+  vtkNew<vtkDoubleArray> scalars;
+  for (int i = 0; i < 8; ++i)
+  {
+    scalars->InsertNextValue(i);
+  }
+  // A cell in which no x is positive.
+  vtkNew<vtkImageData> cell;
+  cell->SetDimensions(2, 2, 2);
+  cell->SetDirectionMatrix(-1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0);
+  cell->GetPointData()->SetScalars(scalars);
+  const auto extraction = method.New(cell, false);
+  extraction->SetIsovalue(3.4);
+  extraction->Build();
+  extraction->GetFilter()->Update();
+  return extraction->GetTriangles()->GetBounds()[1] <= 0.0;
+}
+
+//------------------------------------------------------------------------------
 vtkPolyData* Extraction::GetTriangles()
 {
   return vtkPolyData::SafeDownCast(this->GetFilter()->GetOutputDataObject(0));

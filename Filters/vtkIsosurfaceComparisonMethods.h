@@ -51,6 +51,10 @@ struct ExtractionMethod
   bool NeedsIsovalueInRange;
 };
 
+/// Whether the surface of an image lies where its direction matrix says: not all filters of all
+/// releases of VTK heed it.
+bool HeedsDirection(const ExtractionMethod& method);
+
 extern const ExtractionMethod FlyingEdges;
 extern const ExtractionMethod MarchingCubes;
 extern const ExtractionMethod SynchronizedTemplates;

@@ -290,6 +290,31 @@ void TestOneCell()
 }
 
 //------------------------------------------------------------------------------
+// A filter that ignores the direction matrix has a surface beside the image: the note says why.
+void TestDirectionMatrix()
+{
+  vtkNew<vtkRTAnalyticSource> wavelet;
+  wavelet->SetWholeExtent(1, 8, 1, 8, 1, 8);
+  wavelet->Update();
+  vtkImageData* image = wavelet->GetOutput();
+  image->SetDirectionMatrix(-1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0);
+  vtkNew<vtkIsosurfaceComparisonFilter> comparison;
+  comparison->SetInputData(image);
+  comparison->SetValue(0, 200.0);
+  comparison->SetNumberOfRepeats(1);
+  comparison->PicturesOff();
+  for (int row = 0; row < 6; ++row)
+  {
+    comparison->SetOutputRow(row);
+    comparison->Update();
+    auto* surface = vtkPolyData::SafeDownCast(comparison->GetOutputDataObject(1));
+    const std::string note = comparison->GetOutput()->GetValueByName(row, "Note").ToString();
+    CheckEqual(note.find("direction matrix") == std::string::npos, surface->GetBounds()[1] < 0.0,
+      "what is said of the direction matrix");
+  }
+}
+
+//------------------------------------------------------------------------------
 // All rows must hold the words.
 void CheckNotes(vtkTable* table, const std::string& words)
 {
@@ -746,6 +771,7 @@ int TestIsosurfaceComparisonFilter(int, char*[])
   TestCounts(NewSphere(VTK_SHORT, 24), 7.0, 4.0); // through samples: degenerate triangles
   TestPipeline();
   TestOneCell();
+  TestDirectionMatrix();
   const auto sphere = NewSphere(VTK_SHORT, 9);
   for (const double isovalue : { 1000.0, -1000.0, std::numeric_limits<double>::quiet_NaN(),
          std::numeric_limits<double>::infinity() })
