@@ -111,9 +111,10 @@
  * cells; beside a coarser level by octants (F. Wang et al.: CPU Isosurface Ray Tracing of Adaptive
  * Mesh Refinement Data, IEEE TVCG 25(1), 2019). But they reach to the border of the data: in the
  * last half of a cell the interpolant has the means of the cells there at points of the border.
- * Refinement ratios are whole numbers, any for each level and axis. Of blocks of one level that
- * overlap, the first counts, but not its ghosts. A block that may have a surface is prepared when
- * the first ray comes to it, in 8 bytes for each of its points, or 64 for each of its cells.
+ * Refinement ratios are whole numbers, any for each level and axis, but not 1 for all three: blocks
+ * with the same spacing are of one level. Of blocks of one level that overlap, the first counts,
+ * but not its ghosts. A block that may have a surface is prepared when the first ray comes to it,
+ * in 8 bytes for each of its points, or 64 for each of its cells.
  *
  * Blocks that are empty, without volume or without the scalars are ignored. If anything else is
  * wrong with a block, one warning says so, and the others are drawn. Cells and points are numbered
