@@ -391,7 +391,7 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
     }
     if (!mayHave || !type.FindParts(generic, ids))
     {
-      return "Cell " + std::to_string(i) + " has a wrong number of points.";
+      return "Cell " + std::to_string(i) + " has a wrong number of points, or a face of it has.";
     }
     this->AddCenter(generic->GetPointIds(), ids);
     if (this->FirstHull < 0 && type.IsHull())

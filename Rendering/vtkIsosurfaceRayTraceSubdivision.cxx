@@ -150,6 +150,19 @@ const int* FindOrder(vtkCell* cell)
   return wedge ? wedge->GetOrder() : nullptr;
 }
 
+/// Whether all faces have an area, but for the places of their points.
+bool HasFaces(vtkCell* cell)
+{
+  for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+  {
+    if (cell->GetFace(i)->GetNumberOfPoints() < 3)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Finds tetrahedra between the point with the least id and the faces without it, which are cut
 /// from their own points with the least id. So neighbours cut a face alike.
 void TriangulateFaces(vtkCell* cell, vtkIdList* ids)
@@ -265,6 +278,10 @@ bool vtkIsosurfaceRayTraceSubdivision::FindParts(vtkGenericCell* cell, vtkIdList
   }
   else if (this->IsPolyhedron)
   {
+    if (!HasFaces(cell))
+    {
+      return false;
+    }
     this->DividePolyhedron(cell, ids);
   }
   else if (this->IsPrism)

@@ -44,7 +44,8 @@ public:
   bool MayHave(vtkIdType points) const { return this->Points == 0 || this->Points == points; }
 
   /// Finds the ids of the points of the parts of a cell, one part after the other. Returns false if
-  /// the number of points is not that of the order of the cell. The centre of a polyhedron is
+  /// the number of points is not that of the order of the cell, or a face of a polyhedron has fewer
+  /// than three. The centre of a polyhedron is
   /// vtkIsosurfaceRayTracePolyhedron::Center.
   bool FindParts(vtkGenericCell* cell, vtkIdList* ids);
 

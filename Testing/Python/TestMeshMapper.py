@@ -285,6 +285,18 @@ class TestMeshMapper(unittest.TestCase):
         self.assertIn("Cell 0 is a polyhedron", warnings[0])
         self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, rays), vtkCommand.WarningEvent), [])
 
+    def test_faces_of_fewer_than_three_points(self):
+        for count in range(3):
+            with self.subTest(count=count):
+                grid, points = vtkUnstructuredGrid(), vtkPoints()
+                for point in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
+                    points.InsertNextPoint(point)
+                grid.SetPoints(points)
+                insert_polyhedron(grid, [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3), range(count)])
+                mapper, volume = make_volume(set_values(grid, lambda point: point[0]), 0.25)
+                errors = errors_of(mapper, lambda: cast(mapper, volume, parallel_rays()))
+                self.assertIn("Cell 0 has a wrong number of points, or a face of it has", errors[0])
+
     def test_centres_of_polyhedra_are_not_picked(self):
         square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
         mapper, volume = make_volume(make_prism(square, lambda point: point[2]), 0.45)
