@@ -93,7 +93,7 @@ void vtkIsosurfaceRayTracePolyhedron::CopyFace(vtkCell* face)
 /// Cuts a face into triangles: from its first point where VTK does not, as where it has no area.
 void vtkIsosurfaceRayTracePolyhedron::CutFace()
 {
-  if (this->Face->Triangulate(this->Cut) != 0)
+  if (this->Face->EarCutTriangulation(this->Cut) != 0)
   {
     return;
   }
