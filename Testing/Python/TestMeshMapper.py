@@ -132,6 +132,18 @@ def make_uneven_cubes(value):
     return set_values(grid, value)
 
 
+def show(volume):
+    """A window of 80 x 80 pixels, rendered, and its renderer."""
+    window, renderer = vtkRenderWindow(), vtkRenderer()
+    window.SetOffScreenRendering(True)
+    window.SetSize(80, 80)
+    window.AddRenderer(renderer)
+    renderer.AddVolume(volume)
+    renderer.ResetCamera()
+    window.Render()
+    return window, renderer
+
+
 class TestMeshMapper(unittest.TestCase):
     def test_a_plane_is_hit_exactly_in_every_shape(self):
         for shape in LINEAR_SHAPES:
@@ -300,13 +312,7 @@ class TestMeshMapper(unittest.TestCase):
     def test_centres_of_polyhedra_are_not_picked(self):
         square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
         mapper, volume = make_volume(make_prism(square, lambda point: point[2]), 0.45)
-        window, renderer = vtkRenderWindow(), vtkRenderer()
-        window.SetOffScreenRendering(True)
-        window.SetSize(80, 80)
-        window.AddRenderer(renderer)
-        renderer.AddVolume(volume)
-        renderer.ResetCamera()
-        window.Render()
+        window, renderer = show(volume)
         picker = vtkIsosurfacePicker()
         for x in range(30, 51, 5):
             self.assertTrue(picker.Pick(x, 40, 0, renderer))
@@ -392,13 +398,7 @@ print(len(cast(*make_volume(make_grid({VTK_BEZIER_WEDGE}, plane), 3.3), rays)))
         moved.SetProperty(volume.GetProperty())
         moved.SetPosition(3.0, 2.0, 1.0)
         mapper.SetConnectionVolume(0, moved)
-        window, renderer = vtkRenderWindow(), vtkRenderer()
-        window.SetOffScreenRendering(True)
-        window.SetSize(80, 80)
-        window.AddRenderer(renderer)
-        renderer.AddVolume(volume)
-        renderer.ResetCamera()
-        window.Render()
+        window, renderer = show(volume)
         picker = vtkIsosurfacePicker()
         for x in range(30, 51, 5):
             self.assertTrue(picker.Pick(x, 40, 0, renderer))
