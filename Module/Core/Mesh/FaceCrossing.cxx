@@ -31,6 +31,24 @@ bool IsInside(const Face& face, const FramePoint* points)
   return isInside;
 }
 
+/// Whether all corners of a face are on one side of the ray.
+bool IsBeside(const CellFace& face, const FramePoint* points)
+{
+  bool isLeft = true;
+  bool isRight = true;
+  bool isBelow = true;
+  bool isAbove = true;
+  for (int i = 0; i < face.Count; ++i)
+  {
+    const FramePoint& p = points[face.Corners[i]];
+    isLeft = isLeft && p.X < 0.0;
+    isRight = isRight && p.X > 0.0;
+    isBelow = isBelow && p.Y < 0.0;
+    isAbove = isAbove && p.Y > 0.0;
+  }
+  return isLeft || isRight || isBelow || isAbove;
+}
+
 /// A point of a bilinear patch.
 struct PatchPoint
 {
@@ -168,6 +186,10 @@ void FaceCrossings::Find(const MeshCell& cell, const FramePoint* points)
   const bool isMirrored = IsMirrored(cell, points);
   for (int i = 0; i < traits.Faces; ++i)
   {
+    if (IsBeside(traits.Face[i], points))
+    {
+      continue;
+    }
     const OrderedFace face(cell, traits.Face[i], isMirrored);
     if (face.Count == 3)
     {
@@ -184,8 +206,13 @@ void FaceCrossings::Find(const MeshCell& cell, const FramePoint* points)
 //------------------------------------------------------------------------------
 void FaceCrossings::PutInOrder()
 {
-  std::stable_sort(this->Crossings, this->Crossings + this->Count,
-    [](const FaceCrossing& a, const FaceCrossing& b) { return a.T < b.T; });
+  // Those at the same t stay in order. (std::stable_sort() allocates memory.)
+  for (FaceCrossing* next = this->Crossings; next < this->Crossings + this->Count; ++next)
+  {
+    FaceCrossing* place = std::upper_bound(this->Crossings, next, *next,
+      [](const FaceCrossing& a, const FaceCrossing& b) { return a.T < b.T; });
+    std::rotate(place, next, next + 1);
+  }
   if (this->Count != 2 || this->Crossings[0].Entering)
   {
     return;
@@ -223,17 +250,6 @@ void FaceCrossings::AddQuadrangle(const OrderedFace& face, const FramePoint* poi
 {
   const FramePoint corners[4] = { points[face.Corners[0]], points[face.Corners[1]],
     points[face.Corners[2]], points[face.Corners[3]] };
-  const auto isBeside = [&corners](auto coordinate)
-  {
-    const auto [low, high] = std::minmax({ coordinate(corners[0]), coordinate(corners[1]),
-      coordinate(corners[2]), coordinate(corners[3]) });
-    return low > 0.0 || high < 0.0;
-  };
-  if (isBeside([](const FramePoint& p) { return p.X; }) ||
-    isBeside([](const FramePoint& p) { return p.Y; }))
-  {
-    return;
-  }
   const PatchPoints found(corners);
   const auto add = [this, &face, &found, points](const PatchPoint& point)
   {
