@@ -111,11 +111,11 @@ TEST(TrilinearHits, AreThoseThatBisectionFinds)
     FramedCell cell = FramedCell::Make(random, random.Uniform(0.0, 0.4));
     cell.MoveTo(random.PointInBox({ -0.2, -0.2, -0.2 }, { 1.2, 1.2, 1.2 }), 2);
     const TrilinearSolutions found = cell.Solve();
-    if (!found.AreCertain)
+    if (!found.AreComplete)
     {
       continue;
     }
-    ++certain;
+    certain += found.AreCertain ? 1 : 0;
     several += found.Count > 1 ? 1 : 0;
     std::vector<Vector3> expected;
     cell.System.Solve(expected);
@@ -218,6 +218,42 @@ TEST(TrilinearHits, AreNotCertainNextToFaces)
     }
   }
   EXPECT_GT(clear, 4000);
+}
+
+//------------------------------------------------------------------------------
+/// They need not be looked for again: as many pixels may show a face as a label has.
+TEST(TrilinearHits, AreCompleteNextToFacesAndEdges)
+{
+  RandomNumbers random(34);
+  constexpr int cells = 5000;
+  constexpr double distances[] = { -1e-8, 0.0, 1e-8 };
+  int complete = 0;
+  int found[3] = {};
+  for (int i = 0; i < cells; ++i)
+  {
+    FramedCell cell = FramedCell::Make(random, 0.2);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      Vector3 point = random.PointInBox({ 0.2, 0.2, 0.2 }, { 0.8, 0.8, 0.8 });
+      const int axis = random.Integer(0, 2);
+      point[static_cast<std::size_t>(axis)] = distances[k];
+      if (i % 2 == 0)
+      {
+        point[static_cast<std::size_t>((axis + 1) % 3)] = 0.0;
+      }
+      cell.MoveTo(point, 3);
+      const TrilinearSolutions solutions = cell.Solve();
+      complete += solutions.AreComplete ? 1 : 0;
+      for (int n = 0; n < solutions.Count && solutions.AreComplete; ++n)
+      {
+        found[k] += GetDistance(GetPoint(solutions, n), point) < 1e-9 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(complete, 3 * cells * 9 / 10);
+  EXPECT_EQ(found[0], 0);
+  EXPECT_GT(found[1], cells * 9 / 10);
+  EXPECT_GT(found[2], cells * 9 / 10);
 }
 
 //------------------------------------------------------------------------------

@@ -47,6 +47,43 @@ struct CornersOfCell
   }
 };
 
+/// Whether the surface passes a point of a cell, up to a distance. Where values are next to nothing
+/// on a face, what is a solution but for rounding may be none.
+bool IsPassed(const CellCorners& differences, const Vector3& point)
+{
+  constexpr double distance = 1e-6;
+  bool hasInside = false;
+  bool hasOutside = false;
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    Vector3 there;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double way = (corner >> axis & 1U) != 0 ? distance : -distance;
+      there[axis] = std::clamp(point[axis] + way, 0.0, 1.0);
+    }
+    (IsInside(Interpolate(differences, there)) ? hasInside : hasOutside) = true;
+  }
+  return hasInside && hasOutside;
+}
+
+/// By rounding, those on a face may be beyond it.
+void GetPoints(
+  const TrilinearSolutions& solutions, const CellCorners& differences, std::vector<Vector3>& points)
+{
+  points.clear();
+  for (int i = 0; i < solutions.Count; ++i)
+  {
+    const double* p = solutions.Parametric[i];
+    const Vector3 point = { std::clamp(p[0], 0.0, 1.0), std::clamp(p[1], 0.0, 1.0),
+      std::clamp(p[2], 0.0, 1.0) };
+    if (IsPassed(differences, point))
+    {
+      points.push_back(point);
+    }
+  }
+}
+
 void AddWeights(const FaceCrossing& crossing, double factor, CornerWeights& weights)
 {
   for (int i = 0; i < crossing.Count; ++i)
@@ -128,14 +165,28 @@ double CellHits::GetExtent() const
 //------------------------------------------------------------------------------
 const std::vector<CellHit>& CellHits::Find(const double* differences)
 {
-  this->Hits.clear();
-  if (this->Cell->Shape == CellShape::Tetrahedron)
+  if (this->Cell->Shape != CellShape::Tetrahedron)
   {
-    this->FindOfTetrahedron(differences);
+    return this->Find(differences, this->FindSolutions(differences));
   }
-  else if (!this->FindClearOfFaces(differences))
+  this->Hits.clear();
+  this->FindOfTetrahedron(differences);
+  return this->Hits;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<CellHit>& CellHits::Find(
+  const double* differences, const TrilinearSolutions& found)
+{
+  this->Hits.clear();
+  if (!found.AreCertain)
   {
-    this->FindBetweenFaces(differences);
+    this->FindBetweenFaces(differences, found);
+    return this->Hits;
+  }
+  for (int i = 0; i < found.Count; ++i)
+  {
+    this->Hits.push_back(MakeCellHit(this->Cell->Shape, found, i));
   }
   return this->Hits;
 }
@@ -158,57 +209,32 @@ void CellHits::FindOfTetrahedron(const double* differences)
 }
 
 //------------------------------------------------------------------------------
-bool CellHits::FindClearOfFaces(const double* differences)
+TrilinearSolutions CellHits::FindSolutions(const double* differences) const
 {
   const CornersOfCell source = { GetTraits(this->Cell->Shape).Trilinear, this->Points,
     differences };
   TrilinearSolutions found;
   TrilinearSearch<double, 1, 1, CornersOfCell>(source, &found).Solve(1);
-  for (int i = 0; i < found.Count && found.AreCertain; ++i)
-  {
-    this->Hits.push_back(MakeCellHit(this->Cell->Shape, found, i));
-  }
-  return found.AreCertain;
+  return found;
 }
 
 //------------------------------------------------------------------------------
-void CellHits::FindBetweenFaces(const double* differences)
+void CellHits::FindBetweenFaces(const double* differences, const TrilinearSolutions& found)
 {
   if (this->FindCrossings().Count == 0)
   {
     return;
   }
-  const TrilinearSystem system = {
-    { MakeTrilinear(*this->Cell, [this](int corner) { return this->Points[corner].X; }),
-      MakeTrilinear(*this->Cell, [this](int corner) { return this->Points[corner].Y; }),
-      MakeTrilinear(*this->Cell, [differences](int corner) { return differences[corner]; }) }
-  };
-  system.Solve(this->Solutions);
-  std::vector<CellHit> hits;
-  // In a cell that is twisted over itself there may be hits that are not between crossings.
-  bool isTwisted = false;
-  for (const Vector3& solution : this->Solutions)
+  if (this->FindCandidates(differences, found))
   {
-    const CellHit hit = this->MakeHit(solution, system);
-    const bool isInSegment = this->IsInSegment(hit.T);
-    const bool isIsolated = !isInSegment && IsIsolated(solution, system);
-    isTwisted = isTwisted || isIsolated;
-    if (isInSegment || isIsolated)
-    {
-      hits.push_back(hit);
-    }
-  }
-  std::sort(hits.begin(), hits.end(), [](const CellHit& a, const CellHit& b) { return a.T < b.T; });
-  if (isTwisted)
-  {
-    this->MatchParity(this->Faces.Crossings, this->Faces.Count, differences, hits);
-    this->Hits = hits;
+    this->MatchParity(this->Faces.Crossings, this->Faces.Count, differences, this->Candidates);
+    this->Hits = this->Candidates;
     return;
   }
-
   // A cell that is not convex may be crossed several times. What is beyond all crossings is a point
   // where the ray touches the cell.
-  auto begin = hits.begin();
+  auto begin = this->Candidates.cbegin();
+  const auto endOfAll = this->Candidates.cend();
   const int step = this->GetStep();
   for (int i = 0; i < this->Faces.Count; i += step)
   {
@@ -218,12 +244,12 @@ void CellHits::FindBetweenFaces(const double* differences)
     { return hit.T < first->T - this->Slack; };
     const auto isBehind = [this, last](const CellHit& hit)
     { return hit.T > last->T + this->Slack; };
-    begin = std::find_if_not(begin, hits.end(), isBefore);
-    const auto end = std::find_if(begin, hits.end(), isBehind);
-    std::vector<CellHit> segment(begin, end);
-    this->MatchParity(first, step, differences, segment);
+    begin = std::find_if_not(begin, endOfAll, isBefore);
+    const auto end = std::find_if(begin, endOfAll, isBehind);
+    this->Segment.assign(begin, end);
+    this->MatchParity(first, step, differences, this->Segment);
     bool isInside = IsInside(first->Interpolate(differences));
-    for (CellHit& hit : segment)
+    for (CellHit& hit : this->Segment)
     {
       isInside = !isInside;
       hit.Entering = isInside;
@@ -232,6 +258,42 @@ void CellHits::FindBetweenFaces(const double* differences)
     }
     begin = end;
   }
+}
+
+//------------------------------------------------------------------------------
+/// Finds the solutions that are between crossings, in order. In a cell that is twisted over itself,
+/// which is returned, there may be others.
+bool CellHits::FindCandidates(const double* differences, const TrilinearSolutions& found)
+{
+  const TrilinearSystem system = {
+    { MakeTrilinear(*this->Cell, [this](int corner) { return this->Points[corner].X; }),
+      MakeTrilinear(*this->Cell, [this](int corner) { return this->Points[corner].Y; }),
+      MakeTrilinear(*this->Cell, [differences](int corner) { return differences[corner]; }) }
+  };
+  if (found.AreComplete)
+  {
+    GetPoints(found, system.Functions[2], this->Solutions);
+  }
+  else
+  {
+    system.Solve(this->Solutions);
+  }
+  this->Candidates.clear();
+  bool isTwisted = false;
+  for (const Vector3& solution : this->Solutions)
+  {
+    const CellHit hit = this->MakeHit(solution, system);
+    const bool isInSegment = this->IsInSegment(hit.T);
+    const bool isIsolated = !isInSegment && IsIsolated(solution, system);
+    isTwisted = isTwisted || isIsolated;
+    if (isInSegment || isIsolated)
+    {
+      this->Candidates.push_back(hit);
+    }
+  }
+  std::sort(this->Candidates.begin(), this->Candidates.end(),
+    [](const CellHit& a, const CellHit& b) { return a.T < b.T; });
+  return isTwisted;
 }
 
 //------------------------------------------------------------------------------

@@ -49,14 +49,16 @@ public:
   /// Finds the hits with an isosurface, in order. The differences are those between the values at
   /// the corners and the isovalue: see Difference.
   const std::vector<CellHit>& Find(const double* differences);
+  /// The same in a trilinear cell, given what TrilinearSearch found there.
+  const std::vector<CellHit>& Find(const double* differences, const TrilinearSolutions& found);
 
 private:
   double GetExtent() const;
   void AvoidExtremes();
   void FindOfTetrahedron(const double* differences);
-  /// Finds the hits in a trilinear cell if they are certain, which is returned.
-  bool FindClearOfFaces(const double* differences);
-  void FindBetweenFaces(const double* differences);
+  TrilinearSolutions FindSolutions(const double* differences) const;
+  void FindBetweenFaces(const double* differences, const TrilinearSolutions& found);
+  bool FindCandidates(const double* differences, const TrilinearSolutions& found);
   /// Whether t is between such crossings.
   bool IsInSegment(double t) const;
   void MatchParity(const FaceCrossing* crossings, int count, const double* differences,
@@ -72,6 +74,9 @@ private:
   double Slack;
   std::vector<CellHit> Hits;
   std::vector<Vector3> Solutions;
+  /// The solutions that may be hits: all of them, and those between two crossings.
+  std::vector<CellHit> Candidates;
+  std::vector<CellHit> Segment;
 };
 
 }

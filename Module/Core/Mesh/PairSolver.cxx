@@ -186,7 +186,7 @@ void PairSolver::KeepTrilinearHits(const MeshSelection& selection, HitsOfRays& h
     {
       if (!this->Lone || this->IsWithinHull(selection, number, ray))
       {
-        this->SolveByItself(selection, this->Trilinear, number, ray, hits);
+        this->SolveByItself(selection, this->Trilinear, number, ray, hits, &solutions);
       }
       continue;
     }
@@ -217,13 +217,13 @@ bool PairSolver::IsWithinHull(const MeshSelection& selection, int number, int ra
 }
 
 //------------------------------------------------------------------------------
-void PairSolver::SolveByItself(
-  const MeshSelection& selection, const PairedCells& cells, int number, int ray, HitsOfRays& hits)
+void PairSolver::SolveByItself(const MeshSelection& selection, const PairedCells& cells, int number,
+  int ray, HitsOfRays& hits, const TrilinearSolutions* solutions)
 {
   RayPart part = this->GetPart(ray);
   this->HitsInCell.clear();
   KeepHitsInCell(selection, GetFrame(*this->Packet, ray), cells.Cells[number],
-    cells.Surfaces[number], this->InCell, part, this->HitsInCell);
+    cells.Surfaces[number], this->InCell, part, this->HitsInCell, solutions);
   for (const Hit& hit : this->HitsInCell)
   {
     hits.Add(ray) = hit;

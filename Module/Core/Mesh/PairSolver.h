@@ -89,7 +89,7 @@ private:
   void KeepTrilinearHits(const MeshSelection& selection, HitsOfRays& hits);
   bool IsWithinHull(const MeshSelection& selection, int number, int ray);
   void SolveByItself(const MeshSelection& selection, const PairedCells& cells, int number, int ray,
-    HitsOfRays& hits);
+    HitsOfRays& hits, const TrilinearSolutions* solutions = nullptr);
 
   const RayPacket* Packet = nullptr;
   const Departure* Departures = nullptr;

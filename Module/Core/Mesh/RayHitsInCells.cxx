@@ -18,7 +18,8 @@ bool IsVisible(const MeshSelection& selection, const Hit& hit)
 
 //------------------------------------------------------------------------------
 void KeepHitsInCell(const MeshSelection& selection, const RayFrame& frame, std::int64_t cell,
-  int surface, CellHits& inCell, RayPart& part, std::vector<Hit>& hits)
+  int surface, CellHits& inCell, RayPart& part, std::vector<Hit>& hits,
+  const TrilinearSolutions* solutions)
 {
   MeshCell loaded;
   if (!selection.Cells->Load(cell, loaded))
@@ -32,7 +33,8 @@ void KeepHitsInCell(const MeshSelection& selection, const RayFrame& frame, std::
   {
     differences[i] = Difference(loaded.Values[i], traced.Isovalue, traced.Scale);
   }
-  for (const CellHit& found : inCell.Find(differences))
+  for (const CellHit& found :
+    solutions ? inCell.Find(differences, *solutions) : inCell.Find(differences))
   {
     const Hit hit = { part.Base + found.T, cell, surface, found.Parametric, found.Entering };
     if (part.Has(found.T) && KeepHit(selection, hit, found.T, part))

@@ -57,9 +57,11 @@ inline bool KeepHit(const MeshSelection& selection, const Hit& hit, double t, Ra
   return true;
 }
 
-/// Appends all hits with a surface in a cell; none if the cell is not finite.
+/// Appends all hits with a surface in a cell; none if the cell is not finite. What TrilinearSearch
+/// found there may be given.
 void KeepHitsInCell(const MeshSelection& selection, const RayFrame& frame, std::int64_t cell,
-  int surface, CellHits& inCell, RayPart& part, std::vector<Hit>& hits);
+  int surface, CellHits& inCell, RayPart& part, std::vector<Hit>& hits,
+  const TrilinearSolutions* solutions = nullptr);
 
 }
 

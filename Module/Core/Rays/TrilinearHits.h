@@ -27,8 +27,9 @@ namespace vtkIsosurfaceRayTracing
 /// the inverse of 1 - S has no negative number; it has none if the sums of its rows are positive.
 /// A. Neumaier: Interval Methods for Systems of Equations, 1990, on M-matrices.)
 ///
-/// Solutions next to a face are left to FaceCrossings: what is certain here, rounding cannot change
-/// there. So signs chain from cell to cell, whoever finds them.
+/// Whether a solution next to a face is a hit in this cell or the next, FaceCrossings decide: what
+/// is sure here, rounding cannot change there. So signs chain from cell to cell, whoever finds
+/// them.
 template <typename Number>
 class TrilinearHits
 {
@@ -50,6 +51,9 @@ public:
   /// In coordinates of the cell between 0 and 1.
   Number Parametric[3];
   Mask Entering;
+  /// Where rounding decides whether the hit is in the part, or through which faces of the cell the
+  /// ray passes.
+  Mask IsUnsure;
   /// Where it has none.
   Mask IsEmpty;
   /// Where smaller parts may tell: those between Low and High, in coordinates of this part, if they
@@ -75,13 +79,14 @@ public:
     const Mask isAside = this->IsAside();
     this->IsEmpty = isOrdinary & isAside;
     this->HasHit = this->IsOpen = AndNot(isOrdinary, this->IsEmpty);
+    this->IsUnsure = this->Largest < 0.0;
     if (!Any(this->IsOpen))
     {
       return;
     }
     if (areWhole)
     {
-      this->IsOpen = AndNot(this->IsOpen, this->IsNearEdge());
+      this->IsUnsure = this->IsOpen & this->IsNearEdge();
     }
     this->Bound(this->System.Find(this->Polynomials));
     if (Any(this->HasHit))
@@ -94,6 +99,8 @@ private:
   /// How far from faces a solution is certain, in coordinates of the cell: far more than what
   /// rounding moves it by, and so little that hardly any is nearer.
   static constexpr double LeastClearance = 1e-6;
+  /// How far from faces rounding may move solutions.
+  static constexpr double Reach = 1e-11;
   /// In coordinates of a part it is more. Thinner parts than this are given up.
   static constexpr double LargestClearance = 1e-2;
   /// So no part is made thinner than this, in coordinates of the cell: where a ray goes along the
@@ -316,11 +323,11 @@ private:
       }
     }
     this->IsOpen = this->IsOpen | isMoving;
-    this->HasHit = AndNot(AndNot(this->HasHit, this->IsEmpty), isMoving) &
-      (farthest + error + this->Clearance < 1.0);
+    this->HasHit = AndNot(AndNot(this->HasHit, this->IsEmpty), isMoving);
     if (Any(this->HasHit))
     {
       this->MakeHit(x, error);
+      this->CheckBorder(AndNot(this->HasHit, farthest + error + this->Clearance < 1.0));
     }
   }
 
@@ -380,6 +387,21 @@ private:
     // The Jacobian is that before the last step.
     const Number unsure = 1e-7 + 4.0 * this->ErrorFactor * error;
     this->HasHit = this->HasHit & (unsure * size < Abs(way));
+  }
+
+  /// Of the solutions near the border of the part, keeps those that may be within.
+  SIMD_INLINE void CheckBorder(Mask isNear)
+  {
+    Number excess = -1.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Number x = 2.0 * this->Parametric[i] - 1.0;
+      excess = Max(excess, Abs(x - this->Middle[i]) - this->Half[i]);
+    }
+    const Mask isBeyond = isNear & (Reach < excess);
+    this->HasHit = AndNot(this->HasHit, isBeyond);
+    this->IsEmpty = this->IsEmpty | isBeyond;
+    this->IsUnsure = this->IsUnsure | isNear;
   }
 
   TrilinearPolynomial<Number> Polynomials[3];

@@ -11,16 +11,55 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The hits of a ray with an isosurface in a trilinear cell, in no order, if they are certain.
+/// The hits of a ray with an isosurface in a trilinear cell, in no order.
 struct TrilinearSolutions
 {
   static constexpr int Capacity = 4;
+  /// Solutions nearer to each other, next to the border of two parts, are one.
+  static constexpr double LeastDistance = 4e-8;
 
+  /// Whether all were found.
+  bool AreComplete;
+  /// Whether, besides, all are sure: see TrilinearHits.
   bool AreCertain;
   int Count;
   double T[Capacity];
   double Parametric[Capacity][3];
   bool Entering[Capacity];
+
+  SIMD_INLINE bool HasNear(const double parametric[3]) const
+  {
+    for (int i = 0; i < this->Count; ++i)
+    {
+      double distance = 0.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        distance = Max(distance, Abs(parametric[axis] - this->Parametric[i][axis]));
+      }
+      if (distance < LeastDistance)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  SIMD_INLINE void Add(double t, const double parametric[3], bool isEntering)
+  {
+    if (this->Count == Capacity)
+    {
+      this->GiveUp();
+      return;
+    }
+    this->T[this->Count] = t;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Parametric[this->Count][axis] = parametric[axis];
+    }
+    this->Entering[this->Count++] = isEntering;
+  }
+
+  SIMD_INLINE void GiveUp() { this->AreComplete = this->AreCertain = false; }
 };
 
 /// A part of a trilinear cell, in coordinates of the cell between -1 and 1.
@@ -70,6 +109,7 @@ public:
       for (this->Count = 0; this->Count < Lanes && first + this->Count < pairs; ++this->Count)
       {
         const int pair = first + this->Count;
+        this->Solutions[pair].AreComplete = true;
         this->Solutions[pair].AreCertain = true;
         this->Solutions[pair].Count = 0;
         this->Parts[this->Count] = { pair, 0, { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } };
@@ -103,12 +143,22 @@ private:
     const LaneSet all = (1U << this->Count) - 1U;
     const LaneSet found = all & ToBits(hits.HasHit);
     const LaneSet open = all & ToBits(hits.IsOpen);
-    this->Keep(hits, found);
+    const LaneSet unsure = all & ToBits(hits.IsUnsure);
+    this->MarkUnsure(unsure);
+    this->Keep(hits, found, unsure);
     this->Divide(hits, open);
     this->GiveUp(all & ~(found | open | ToBits(hits.IsEmpty)));
   }
 
-  SIMD_INLINE void Keep(const TrilinearHits<Number>& hits, LaneSet found)
+  SIMD_INLINE void MarkUnsure(LaneSet lanes)
+  {
+    for (; lanes != 0; lanes &= lanes - 1)
+    {
+      this->Solutions[this->Parts[LowestBit(lanes)].Pair].AreCertain = false;
+    }
+  }
+
+  SIMD_INLINE void Keep(const TrilinearHits<Number>& hits, LaneSet found, LaneSet unsure)
   {
     if (found == 0)
     {
@@ -126,18 +176,11 @@ private:
     {
       const int lane = LowestBit(found);
       TrilinearSolutions& solutions = this->Solutions[this->Parts[lane].Pair];
-      if (solutions.Count == TrilinearSolutions::Capacity)
+      const double point[3] = { parametric[0][lane], parametric[1][lane], parametric[2][lane] };
+      if ((unsure >> lane & 1U) == 0 || !solutions.HasNear(point))
       {
-        solutions.AreCertain = false;
-        continue;
+        solutions.Add(t[lane], point, (entering >> lane & 1U) != 0);
       }
-      const int number = solutions.Count++;
-      solutions.T[number] = t[lane];
-      for (int i = 0; i < 3; ++i)
-      {
-        solutions.Parametric[number][i] = parametric[i][lane];
-      }
-      solutions.Entering[number] = (entering >> lane & 1U) != 0;
     }
   }
 
@@ -188,7 +231,7 @@ private:
   {
     for (; lanes != 0; lanes &= lanes - 1)
     {
-      this->Solutions[this->Parts[LowestBit(lanes)].Pair].AreCertain = false;
+      this->Solutions[this->Parts[LowestBit(lanes)].Pair].GiveUp();
     }
   }
 
