@@ -591,6 +591,35 @@ class TestManyGrids(unittest.TestCase):
         for hit, other in zip(cast(mapper, volume, moved), expected):
             self.assertAlmostEqual(hit[1], other[1], delta=1e-9)
 
+    def test_caps_of_connections_in_one_plane(self):
+        """The first is in front, whatever the rounding of each."""
+        data = [make_image((0.0, 0.0, 0.0), (0.5, 0.5, 0.5), 13, ball), make_grid(VTK_HEXAHEDRON, ball)]
+        for first in (0, 1):
+            mapper, volume = make_volume(None, mapper_class=vtkIsosurfaceRayTraceMapper)
+            for connection in (0, 1):
+                producer = vtkTrivialProducer()
+                producer.SetOutput(data[connection ^ first])
+                mapper.AddInputConnection(0, producer.GetOutputPort())
+                _, own = make_volume(None, 0.0, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=0.5)
+                own.SetOrigin(3.0, 3.0, 3.0)
+                own.RotateWXYZ(25.0 * (connection ^ first), 1.0, 2.0, 3.0)
+                mapper.SetConnectionVolume(connection, own)
+            cut = vtkPlane()
+            cut.SetOrigin(3.0, 3.0, 3.1)
+            cut.SetNormal(0.2, 0.1, 1.0)
+            mapper.AddClippingPlane(cut)
+            mapper.CapClippingPlanesOn()
+            cells = data[first].GetNumberOfCells()
+            hits = {}
+            for ray, t, cell, normal in cast(mapper, volume, parallel_rays(31)):
+                if math.dist([-x for x in normal], [x / math.sqrt(1.05) for x in cut.GetNormal()]) < 1e-9:
+                    hits.setdefault(ray, []).append((t, cell < cells))
+            both = [found for found in hits.values() if len(found) == 2]
+            self.assertGreater(len(both), 50)
+            for found in both:
+                self.assertEqual(found[0][0], found[1][0])
+                self.assertEqual([is_first for _, is_first in found], [True, False])
+
     def test_colours_of_connections(self):
         mapper, volume, _, data = self.make_two_volumes(vtkIsosurfaceRayTraceMeshMapper, 1.0)
         for i in (0, 1):

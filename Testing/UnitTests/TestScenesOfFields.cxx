@@ -48,6 +48,17 @@ struct PlacedImage
     this->Field->Select(request, {});
   }
 
+  /// Selects it behind a plane of the world, with caps.
+  void Select(double opacity, const Vector3& normal, double offset)
+  {
+    TraceRequest request;
+    request.Surfaces = { { 0.0, opacity } };
+    const Vector3 first = TransformPoint(this->WorldFromObject, { 0.0, 0.0, 0.0 });
+    request.Visible.HalfSpaces = { { TransposeTransformDirection(this->WorldFromObject, normal),
+      Dot(normal, first) + offset, true } };
+    this->Field->Select(request, {});
+  }
+
   TestVolume<float> Volume;
   std::unique_ptr<ImageField> Field;
   Matrix4 WorldFromObject;
@@ -356,6 +367,63 @@ TEST(ScenesOfFields, RaysHaveTheHitsOfAllFieldsInOrder)
     }
     EXPECT_GT(interleaved, 100);
     EXPECT_EQ(dropped > 0, opacity > 0.9);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Shows hits, and caps, by one colour.
+class OneColor final : public HitColors
+{
+public:
+  explicit OneColor(const Vector3& color)
+    : Color(color)
+  {
+  }
+  Vector3 Get(const Hit& /*hit*/) const override { return this->Color; }
+
+private:
+  Vector3 Color;
+};
+
+/// Whatever the rounding of each field.
+TEST(ScenesOfFields, OfCapsInOnePlaneThatOfTheFirstFieldIsInFront)
+{
+  TwoSpheres spheres;
+  for (const double opacity : { 1.0, 0.4 })
+  {
+    for (PlacedImage* image : { &spheres.A, &spheres.B })
+    {
+      image->Select(opacity, { 0.3, 0.2, -1.0 }, 0.7);
+    }
+    const OneColor red(Red);
+    const OneColor green(Green);
+    SceneField a = Show(spheres.A, Red);
+    SceneField b = Show(spheres.B, Green);
+    a.ColorsOfHits = &red;
+    b.ColorsOfHits = &green;
+    const std::vector<std::vector<double>> hits[] = { FindHits(a), FindHits(b) };
+    const Frame frames[] = { Render({ a, b }), Render({ b, a }) };
+    const RayHits cast[] = {
+      CastRays({ a.Field, b.Field }, { MakeRays(a), MakeRays(b) }, 1),
+      CastRays({ b.Field, a.Field }, { MakeRays(b), MakeRays(a) }, 1),
+    };
+    int inBoth = 0;
+    for (std::size_t pixel = 0; pixel < hits[0].size(); ++pixel)
+    {
+      const bool areCaps = !hits[0][pixel].empty() && !hits[1][pixel].empty() &&
+        std::abs(hits[0][pixel][0] - hits[1][pixel][0]) < 1e-9 * hits[0][pixel][0];
+      for (std::size_t order = 0; areCaps && order < 2; ++order)
+      {
+        const Hit& first = cast[order].Hits[cast[order].First[pixel]];
+        ++inBoth;
+        ASSERT_EQ(first.Plane, 0);
+        ASSERT_EQ(first.Field, 0);
+        ASSERT_EQ(frames[order].Hits[pixel].Field, 0);
+        const bool isRed = frames[order].Colors[4 * pixel] > frames[order].Colors[4 * pixel + 1];
+        ASSERT_EQ(isRed, order == 0);
+      }
+    }
+    EXPECT_GT(inBoth, 200);
   }
 }
 

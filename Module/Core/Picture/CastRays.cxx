@@ -6,6 +6,7 @@
 #include "Field/FirstException.h"
 #include "Field/HitCollector.h"
 #include "Picture/OpaqueEnds.h"
+#include "Picture/PlanesOfCaps.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -83,10 +84,12 @@ void TracePacket(const std::vector<TracedField*>& fields,
     TraceField(*fields.front(), &rays.front()[first], count, ends, packet, hits);
     return;
   }
+  PlanesOfCaps planes;
   std::vector<RayHits> ofFields(fields.size());
   for (std::size_t i = 0; i < fields.size(); ++i)
   {
     TraceField(*fields[i], &rays[i][first], count, ends, packet, ofFields[i]);
+    planes.MoveCaps(fields[i]->GetRequest(), ofFields[i]);
     ends.Add(fields[i]->GetRequest(), ofFields[i]);
   }
   Join(fields, ofFields, count, hits);

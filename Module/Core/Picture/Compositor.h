@@ -87,20 +87,18 @@ inline CompositedPixel ToPixel(const Fragment& fragment)
 /// the field that comes first.
 inline void Merge(const std::vector<Fragments>& fields, Fragments& merged)
 {
-  const auto byT = [](const Fragment& a, const Fragment& b) { return a.T < b.T; };
   merged.Clear();
   for (std::size_t ray = 0; ray + 1 < fields.front().First.size(); ++ray)
   {
     const auto begin = static_cast<std::ptrdiff_t>(merged.List.size());
     for (const Fragments& field : fields)
     {
-      const auto middle = static_cast<std::ptrdiff_t>(merged.List.size());
       merged.List.insert(merged.List.end(),
         field.List.begin() + static_cast<std::ptrdiff_t>(field.First[ray]),
         field.List.begin() + static_cast<std::ptrdiff_t>(field.First[ray + 1]));
-      std::inplace_merge(
-        merged.List.begin() + begin, merged.List.begin() + middle, merged.List.end(), byT);
     }
+    std::stable_sort(merged.List.begin() + begin, merged.List.end(),
+      [](const Fragment& a, const Fragment& b) { return a.T < b.T; });
     merged.First.push_back(merged.List.size());
   }
 }

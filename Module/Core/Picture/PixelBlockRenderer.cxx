@@ -75,6 +75,7 @@ void PixelBlockRenderer::Trace(const PixelRectangle* blocks, int count)
   for (int block = 0; block < count; ++block)
   {
     this->Ends[block].Clear();
+    this->Planes[block].Clear();
   }
   // Projections last: they end at the surfaces of all fields.
   const std::vector<SceneField>& fields = this->TheScene.Fields;
@@ -110,6 +111,7 @@ void PixelBlockRenderer::TraceField(std::size_t number)
     {
       hit.Field = static_cast<int>(number);
     }
+    this->Planes[block].MoveCaps(field.GetRequest(), hits);
     this->Ends[block].Add(field.GetRequest(), hits);
   }
 }
