@@ -88,6 +88,7 @@ def _place(part, volume):
     placed = vtkVolume()
     placed.SetProperty(part.GetProperty())
     placed.SetUserMatrix(matrix)
+    placed.SetVisibility(part.GetVisibility())
     return placed
 
 

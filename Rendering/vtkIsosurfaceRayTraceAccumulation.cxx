@@ -58,6 +58,7 @@ bool AreTheSame(const std::vector<float>& a, const std::vector<float>& b)
 
 void AppendRequest(const vtkirt::TraceRequest& request, std::vector<double>& numbers)
 {
+  numbers.push_back(static_cast<double>(request.Surfaces.size()));
   for (const vtkirt::Isosurface& surface : request.Surfaces)
   {
     Append(std::array<double, 2>{ surface.Isovalue, surface.Opacity }, numbers);

@@ -272,6 +272,10 @@ try
     }
     if (vtkVolume* volume = this->TheClient.GetConnectionVolume(i))
     {
+      if (!volume->GetVisibility())
+      {
+        continue;
+      }
       volume->ComputeMatrix();
       Transform(volume->GetMatrix(), own);
     }
@@ -373,6 +377,11 @@ std::string vtkIsosurfaceRayTraceEngine::SelectInputs(vtkIsosurfaceRayTraceInput
       problem = "The matrices of its volume and of the one that is drawn have no finite product "
                 "with an inverse. Give both finite numbers, and scales other than 0.";
     }
+    if (!problem.empty() && !volumes.IsVisible(i))
+    {
+      input.SelectNothing();
+      problem.clear();
+    }
     if (!problem.empty() && inputs.GetNumber() > 1)
     {
       return "Connection " + std::to_string(i) + ": " + problem;
@@ -415,7 +424,14 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   for (int i = 0; i < inputs.GetNumber(); ++i)
   {
     leftOut = leftOut.empty() ? inputs.Get(i).DescribeLeftOut() : leftOut;
-    isBuilt = inputs.Get(i).Update(settings.NumberOfThreads, level) || isBuilt;
+    if (volumes.IsVisible(i))
+    {
+      isBuilt = inputs.Get(i).Update(settings.NumberOfThreads, level) || isBuilt;
+    }
+    else
+    {
+      inputs.Get(i).Hide();
+    }
   }
   if (isBuilt || inputs.GetFractionRead() < 1.0)
   {
@@ -587,8 +603,9 @@ try
     vtkirt::TraceRequest request(vtkIsosurfaceRayTraceScene::GetSurfaces(
       volumes.GetProperty(i), input.GetPropertyComponent()));
     input.SetOpacities(request);
-    areAny = areAny || !request.Surfaces.empty();
-    areOpaque = areOpaque && request.HasOnlyOpaqueSurfaces();
+    const bool areVisible = volumes.IsVisible(i) && !request.Surfaces.empty();
+    areAny = areAny || areVisible;
+    areOpaque = areOpaque && (!areVisible || request.HasOnlyOpaqueSurfaces());
   }
   return !areAny ? Opacity::None : areOpaque ? Opacity::Opaque : Opacity::Translucent;
 }

@@ -442,17 +442,14 @@ vtkirt::Matrix4 vtkIsosurfaceRayTraceInput::FindPhysicalFromObject() const
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::Update(int threads, vtkIsosurfaceRayTraceLevel level)
 {
-  this->Field = nullptr; // It goes with what cannot be built.
-  this->NumberOfEagerParts = 0;
-  this->UnreadParts.clear();
-  this->AtCoarse = false;
+  this->Hide();
   if (this->Parts.empty())
   {
-    this->Field = &this->Empty;
     this->PhysicalFromObject = Identity;
     this->CellSize = 1.0;
     return false;
   }
+  this->Field = nullptr; // It goes with what cannot be built.
   bool isBuilt = false;
   const bool isLone = this->IsLone();
   for (const std::unique_ptr<Part>& part : this->Parts)
@@ -486,6 +483,15 @@ bool vtkIsosurfaceRayTraceInput::Update(int threads, vtkIsosurfaceRayTraceLevel 
   this->PhysicalFromObject = part.FindPhysicalFromObject();
   this->CellSize = part.FindCellSize();
   return isBuilt;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceInput::Hide()
+{
+  this->Field = &this->Empty;
+  this->NumberOfEagerParts = 0;
+  this->UnreadParts.clear();
+  this->AtCoarse = false;
 }
 
 //------------------------------------------------------------------------------

@@ -96,6 +96,9 @@ public:
   /// built.
   bool Update(int threads, vtkIsosurfaceRayTraceLevel level);
 
+  /// Instead of Update: the field has nothing. What was built is kept.
+  void Hide();
+
   /// Whether a coarse level stands in for some of the data.
   bool IsCoarse() const { return this->AtCoarse; }
 
@@ -258,7 +261,8 @@ private:
   std::vector<vtkIsosurfaceRayTracing::PlacedField> Placed;
   /// Whether the set is that of the parts as they are.
   bool ArePlaced = false;
-  vtkIsosurfaceRayTracing::Matrix4 PhysicalFromObject = {};
+  vtkIsosurfaceRayTracing::Matrix4 PhysicalFromObject = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
+    0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0 };
   double CellSize = 1.0;
 };
 

@@ -65,9 +65,7 @@ void vtkIsosurfaceRayTracePicture::SetScene(const vtkIsosurfaceRayTraceSettings&
       scene.TileWidth = std::max(scene.TileWidth, least);
       scene.TileHeight = std::max(scene.TileHeight, least);
     }
-    shown.Pixels = volume.Input->GetNumberOfParts() > 0
-      ? vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds())
-      : vtkirt::PixelRectangle{};
+    shown.Pixels = vtkIsosurfaceRayTraceScene::GetPixels(shown.View, shown.Field->GetBounds());
     scene.Pixels = i > 0 ? vtkirt::Unite(scene.Pixels, shown.Pixels) : shown.Pixels;
     scene.Fields.push_back(shown);
   }

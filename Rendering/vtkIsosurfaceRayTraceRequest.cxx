@@ -67,6 +67,13 @@ vtkVolumeProperty* vtkIsosurfaceRayTraceRequest::DrawnVolumes::GetProperty(int c
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceRequest::DrawnVolumes::IsVisible(int connection) const
+{
+  vtkVolume* own = this->OfConnections[static_cast<std::size_t>(connection)];
+  return !own || own->GetVisibility() != 0;
+}
+
+//------------------------------------------------------------------------------
 vtkirt::Matrix4 vtkIsosurfaceRayTraceRequest::DrawnVolumes::FindWorldFromData(int connection) const
 {
   vtkVolume* own = this->OfConnections[static_cast<std::size_t>(connection)];
@@ -105,15 +112,19 @@ vtkIsosurfaceRayTraceRequest::vtkIsosurfaceRayTraceRequest(
     }
     vtkMatrix4x4::Multiply4x4(volumes.FindWorldFromData(connection).data(),
       input.GetPhysicalFromObject().data(), volume.WorldFromObject.data());
-    this->Select(settings, volume, clippingPlanes);
+    input.GetField()->Select(volumes.IsVisible(connection)
+        ? this->MakeTraceRequest(settings, volume, clippingPlanes)
+        : vtkirt::TraceRequest{},
+      this->Execution, this->Budget);
     this->Volumes.push_back(std::move(volume));
   }
 }
 
 //------------------------------------------------------------------------------
-/// Selects what the field of an input traces.
-void vtkIsosurfaceRayTraceRequest::Select(const vtkIsosurfaceRayTraceSettings& settings,
-  const Volume& volume, vtkPlaneCollection* clippingPlanes) const
+/// What the field of an input traces, if it is visible.
+vtkirt::TraceRequest vtkIsosurfaceRayTraceRequest::MakeTraceRequest(
+  const vtkIsosurfaceRayTraceSettings& settings, const Volume& volume,
+  vtkPlaneCollection* clippingPlanes) const
 {
   vtkirt::TraceRequest request;
   request.Projection = settings.Projection;
@@ -141,7 +152,7 @@ void vtkIsosurfaceRayTraceRequest::Select(const vtkIsosurfaceRayTraceSettings& s
       request.Visible.HalfSpaces.back().IsCapped = settings.CapClippingPlanes;
     }
   }
-  volume.Input->GetField()->Select(request, this->Execution, this->Budget);
+  return request;
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +182,8 @@ const vtkirt::TracedField& vtkIsosurfaceRayTraceRequest::Volume::GetField() cons
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceRequest::IsProjection() const
 {
-  return this->Volumes.front().GetField().GetRequest().Projection.has_value();
+  return std::any_of(this->Volumes.begin(), this->Volumes.end(),
+    [](const Volume& volume) { return volume.GetField().GetRequest().Projection.has_value(); });
 }
 
 //------------------------------------------------------------------------------

@@ -59,6 +59,8 @@ struct vtkIsosurfaceRayTraceRequest
     std::vector<vtkVolume*> OfConnections;
 
     vtkVolumeProperty* GetProperty(int connection) const;
+    /// Whether a connection is, by its own volume.
+    bool IsVisible(int connection) const;
     /// From the coordinates of the data of a connection to the world.
     vtkIsosurfaceRayTracing::Matrix4 FindWorldFromData(int connection) const;
   };
@@ -92,7 +94,8 @@ struct vtkIsosurfaceRayTraceRequest
   std::vector<std::shared_ptr<const std::vector<vtkSmartPointer<vtkObject>>>> Objects;
 
 private:
-  void Select(const vtkIsosurfaceRayTraceSettings& settings, const Volume& volume,
+  vtkIsosurfaceRayTracing::TraceRequest MakeTraceRequest(
+    const vtkIsosurfaceRayTraceSettings& settings, const Volume& volume,
     vtkPlaneCollection* clippingPlanes) const;
 
   vtkIsosurfaceRayTracing::MemoryBudget Budget;

@@ -172,6 +172,10 @@ vtkirt::Camera MakeCamera(const vtkirt::Matrix4& clipFromWorld,
 //------------------------------------------------------------------------------
 vtkirt::PixelRectangle GetPixels(const vtkirt::Camera& camera, const vtkirt::Bounds& bounds)
 {
+  if (bounds.Lower[0] > bounds.Upper[0])
+  {
+    return {};
+  }
   const double width = std::ceil(camera.GetWidth());
   const double height = std::ceil(camera.GetHeight());
   double low[2] = { width, height };

@@ -48,7 +48,7 @@ vtkIsosurfaceRayTracing::Matrix4 GetClipFromWorldOfEye(vtkCamera* camera, double
 vtkIsosurfaceRayTracing::Camera MakeCamera(const vtkIsosurfaceRayTracing::Matrix4& clipFromWorld,
   const vtkIsosurfaceRayTracing::Matrix4& worldFromObject, double width, double height);
 
-/// The pixels that a box covers: all, if a part of it is beside or behind the eye.
+/// The pixels that a box covers, if there is one: all, if a part of it is beside or behind the eye.
 vtkIsosurfaceRayTracing::PixelRectangle GetPixels(
   const vtkIsosurfaceRayTracing::Camera& camera, const vtkIsosurfaceRayTracing::Bounds& bounds);
 

@@ -620,6 +620,77 @@ class TestManyGrids(unittest.TestCase):
                 self.assertEqual(found[0][0], found[1][0])
                 self.assertEqual([is_first for _, is_first in found], [True, False])
 
+    def test_hidden_connections(self):
+        """Nothing of a connection is there whose volume is not visible."""
+        rays = parallel_rays(21)
+        mapper, volume, alone, data = self.make_two_volumes(vtkIsosurfaceRayTraceMapper)
+        both = cast(mapper, volume, rays)
+        bounds = volume.GetBounds()
+        for hidden in (0, 1):
+            shown = 1 - hidden
+            mapper.GetConnectionVolume(hidden).VisibilityOff()
+            alone[shown][1].ComputeMatrix()
+            before = shown * data[0].GetNumberOfCells()
+            expected = [(ray, cell + before) for ray, _, cell, _ in cast(*alone[shown], rays)]
+            self.assertGreater(len(expected), 50)
+            self.assertEqual([(ray, cell) for ray, _, cell, _ in cast(mapper, volume, rays)], expected)
+            for a, b in zip(volume.GetBounds(), alone[shown][1].GetBounds()):
+                self.assertAlmostEqual(a, b, delta=1e-9)
+            self.assertEqual(self.draw(mapper, volume), self.draw(*alone[shown]))
+            # What is wrong with it does not matter.
+            values = data[hidden].GetPointData().GetScalars()
+            data[hidden].GetPointData().Initialize()
+            self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, rays)), [])
+            data[hidden].GetPointData().SetScalars(values)
+            mapper.GetConnectionVolume(hidden).VisibilityOn()
+            self.assertEqual(cast(mapper, volume, rays), both)
+            self.assertEqual(volume.GetBounds(), bounds)
+        for i in (0, 1):
+            mapper.GetConnectionVolume(i).VisibilityOff()
+        self.assertEqual(errors_of(mapper, lambda: self.assertEqual(cast(mapper, volume, rays), [])), [])
+        self.assertFalse(mapper.HasOnlyOpaqueSurfaces(volume))
+
+    def test_blocks_of_a_connection_that_was_hidden(self):
+        """They are where they were, in every call."""
+        images = [make_image((3.0 * i, 0.2, 0.1), (0.41, 0.37, 0.43), 13, ball) for i in (0, 1)]
+        mapper, volume = make_volume(multi_block(images), 0.0, mapper_class=vtkIsosurfaceRayTraceMapper)
+        own = vtkVolume()
+        own.SetProperty(volume.GetProperty())
+        own.VisibilityOff()
+        mapper.SetConnectionVolume(0, own)
+        rays = parallel_rays(11)
+        self.assertEqual(cast(mapper, volume, rays), [])
+        own.VisibilityOn()
+        hits = cast(mapper, volume, rays)
+        self.assertGreater(len(hits), 20)
+        self.assertEqual(cast(mapper, volume, rays), hits)
+        own.VisibilityOff()
+        self.assertEqual(cast(mapper, volume, rays), [])
+        own.VisibilityOn()
+        self.assertEqual(cast(mapper, volume, rays), hits)
+
+    def test_projections_without_a_hidden_connection(self):
+        rays = parallel_rays(11)
+        values = (lambda p: p[0], lambda p: 10.0 + p[0])
+        mapper, volume = make_volume(None, mapper_class=vtkIsosurfaceRayTraceMapper)
+        mapper.SetBlendModeToMaximumIntensity()
+        for i in (0, 1):
+            producer = vtkTrivialProducer()
+            producer.SetOutput(make_image((0.0, 0.0, 0.0), (0.5, 0.5, 0.5), 13, values[i]))
+            mapper.AddInputConnection(0, producer.GetOutputPort())
+            mapper.SetConnectionVolume(i, vtkVolume())
+        mapper.GetConnectionVolume(0).VisibilityOff()
+        camera = vtkRenderer().MakeCamera()
+        camera.SetPosition(3, 3, -30)
+        camera.SetFocalPoint(3, 3, 0)
+        camera.SetClippingRange(10, 50)
+        image = vtkImageData()
+        self.assertTrue(mapper.RenderToImage(volume, camera, None, PIXELS, PIXELS, image))
+        lowest, highest = image.GetPointData().GetArray("Value").GetFiniteRange()
+        self.assertGreaterEqual(lowest, 10.0)
+        self.assertLessEqual(highest, 16.0)
+        self.assertEqual({cell >= 12 * 13 * 14 for _, _, cell, _ in cast(mapper, volume, rays)}, {True})
+
     def test_colours_of_connections(self):
         mapper, volume, _, data = self.make_two_volumes(vtkIsosurfaceRayTraceMeshMapper, 1.0)
         for i in (0, 1):

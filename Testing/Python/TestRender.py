@@ -258,7 +258,10 @@ class TestSeveral(unittest.TestCase):
         together = render([other, both], **options)
         inner.SetUserMatrix(outer.GetMatrix())
         np.testing.assert_array_equal(together.rgba, render([other, outer, inner], **options).rgba)
-        self.assertGreater((together.rgba != render([other, outer], **options).rgba).mean(), 0.01)
+        without = render([other, outer], **options).rgba
+        self.assertGreater((together.rgba != without).mean(), 0.01)
+        inner.VisibilityOff()
+        np.testing.assert_array_equal(render([other, both], **options).rgba, without)
 
     def test_as_many_rays_as_the_volume_with_most(self):
         one, eight = (isosurface(make_ball(), 0.0, **BALL, samples=samples) for samples in (1, 8))
