@@ -35,14 +35,38 @@ using Vector = Interpolant::Vector;
 constexpr double StepBack = 1e-6;
 
 //------------------------------------------------------------------------------
-/// Lines that begin a little before points of a surface and are measured in cells from there.
+/// A point of a surface, and where the interpolant is asked for it: there, or where the point is
+/// moved to if it is outside.
+struct PointAndPlace
+{
+  std::size_t Id;
+  Vector Point;
+  Vector Place;
+
+  Vector GetWay() const
+  {
+    return { this->Place[0] - this->Point[0], this->Place[1] - this->Point[1],
+      this->Place[2] - this->Point[2] };
+  }
+};
+
+//------------------------------------------------------------------------------
+/// Lines that begin a little before the places of points of a surface and are measured in cells
+/// from there.
 struct Lines
 {
   vtkNew<vtkPoints> Origins;
   vtkNew<vtkDoubleArray> Directions;
-  /// Of which point a line is, and how long its direction is in the world.
-  std::vector<std::size_t> PointIds;
-  std::vector<double> Scales;
+  /// Of which point a line is, how long its direction is in the world, and how far the point is
+  /// from its place, in cells and in the world.
+  struct Line
+  {
+    std::size_t PointId;
+    double Scale;
+    double CellsBefore;
+    double WorldBefore;
+  };
+  std::vector<Line> All;
 
   Lines()
   {
@@ -50,14 +74,15 @@ struct Lines
     this->Directions->SetNumberOfComponents(3);
   }
 
-  /// The direction is one cell long.
-  void Add(std::size_t pointId, const Vector& point, const Vector& direction)
+  /// The direction is one cell long. The interpolant is at the place.
+  void Add(const PointAndPlace& point, const Vector& direction, const Interpolant& interpolant)
   {
-    this->Origins->InsertNextPoint(point[0] - StepBack * direction[0],
-      point[1] - StepBack * direction[1], point[2] - StepBack * direction[2]);
+    this->Origins->InsertNextPoint(point.Place[0] - StepBack * direction[0],
+      point.Place[1] - StepBack * direction[1], point.Place[2] - StepBack * direction[2]);
     this->Directions->InsertNextTuple(direction.data());
-    this->PointIds.push_back(pointId);
-    this->Scales.push_back(vtkMath::Norm(direction.data()));
+    const Vector way = point.GetWay();
+    this->All.push_back({ point.Id, vtkMath::Norm(direction.data()),
+      interpolant.GetLengthInCells(way), vtkMath::Norm(way.data()) });
   }
 };
 
@@ -87,34 +112,34 @@ void CastLines(
   vtkDataArray* hitNormals = hits->GetPointData()->GetArray("Normals");
   for (vtkIdType hit = 0; hit < hits->GetNumberOfPoints(); ++hit)
   {
-    const auto line = static_cast<std::size_t>(rays->GetValue(hit));
-    const std::size_t point = lines.PointIds[line];
+    const Lines::Line& line = lines.All[static_cast<std::size_t>(rays->GetValue(hit))];
+    const std::size_t point = line.PointId;
     double normal[3];
     double hitNormal[3];
     normals->GetTuple(static_cast<vtkIdType>(point), normal);
     hitNormals->GetTuple(hit, hitNormal);
-    errors.Cells[point] = std::abs(ts->GetComponent(hit, 0) - StepBack);
-    errors.World[point] = errors.Cells[point] * lines.Scales[line];
+    const double cells = std::abs(ts->GetComponent(hit, 0) - StepBack);
+    errors.Cells[point] = line.CellsBefore + cells;
+    errors.World[point] = line.WorldBefore + cells * line.Scale;
     errors.Angles[point] = AngleBetweenLines(normal, hitNormal);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Keeps the nearest crossing of the edges around the point that the interpolant is at, if it is
-/// nearer than what was found.
-void TryEdges(Interpolant& interpolant, const Vector& point, double isovalue,
-  const double normal[3], std::size_t number, SurfaceErrors& errors)
+/// Keeps the crossing nearest to a point of the edges around its place, where the interpolant is,
+/// if it is nearer than what was found.
+void TryEdges(Interpolant& interpolant, const PointAndPlace& at, double isovalue,
+  const double normal[3], SurfaceErrors& errors)
 {
   for (const Interpolant::EdgeCrossing& crossing : interpolant.FindEdgeCrossings(isovalue))
   {
-    const double world =
-      std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), crossing.Point.data()));
-    if (!(errors.World[number] <= world))
+    const Vector way = PointAndPlace{ at.Id, at.Point, crossing.Point }.GetWay();
+    const double world = vtkMath::Norm(way.data());
+    if (!(errors.World[at.Id] <= world))
     {
-      errors.World[number] = world;
-      errors.Cells[number] = interpolant.GetLengthInCells({ crossing.Point[0] - point[0],
-        crossing.Point[1] - point[1], crossing.Point[2] - point[2] });
-      errors.Angles[number] = AngleBetweenLines(normal, crossing.Gradient.data());
+      errors.World[at.Id] = world;
+      errors.Cells[at.Id] = interpolant.GetLengthInCells(way);
+      errors.Angles[at.Id] = AngleBetweenLines(normal, crossing.Gradient.data());
     }
   }
 }
@@ -157,33 +182,35 @@ SurfaceErrors MeasureErrors(vtkDataSet* data, TracedIsosurface& isosurface, doub
   for (std::size_t first = 0; first < count && !isAborted(); first += portion)
   {
     const std::size_t last = std::min(count, first + portion);
-    std::vector<Vector> inside(last - first);
+    std::vector<PointAndPlace> inside;
     Lines lines;
     for (std::size_t i = first; i < last; ++i)
     {
-      Vector& point = inside[i - first];
-      points->GetPoint(static_cast<vtkIdType>(i), point.data());
-      if (!interpolant->GoTo(point))
+      PointAndPlace at{ i, {}, {} };
+      points->GetPoint(static_cast<vtkIdType>(i), at.Point.data());
+      at.Place = at.Point;
+      if (!interpolant->GoTo(at.Place))
       {
         continue;
       }
+      inside.push_back(at);
       const Vector gradient = interpolant->GetGradient();
       const double cells = interpolant->GetLengthInCells(gradient);
       if (cells > 0.0 && std::isfinite(cells))
       {
         const double scale = (interpolant->GetValue() < isovalue ? 1.0 : -1.0) / cells;
-        lines.Add(i, point, { scale * gradient[0], scale * gradient[1], scale * gradient[2] });
+        lines.Add(
+          at, { scale * gradient[0], scale * gradient[1], scale * gradient[2] }, *interpolant);
       }
     }
     CastLines(isosurface, lines, normals, errors);
-    for (std::size_t i = first; i < last; ++i)
+    for (PointAndPlace& at : inside)
     {
-      Vector& point = inside[i - first];
-      if (interpolant->GoTo(point))
+      if (interpolant->GoTo(at.Place))
       {
         double normal[3];
-        normals->GetTuple(static_cast<vtkIdType>(i), normal);
-        TryEdges(*interpolant, point, isovalue, normal, i, errors);
+        normals->GetTuple(static_cast<vtkIdType>(at.Id), normal);
+        TryEdges(*interpolant, at, isovalue, normal, errors);
       }
     }
   }

@@ -39,8 +39,8 @@ struct SurfaceErrors
 /// The distance is measured along the gradient of the interpolant at the point, to the nearest
 /// crossing of the isosurface; or to the nearest crossing of an edge of the cell, if that is nearer
 /// (near a saddle the gradient does not point at the surface). It is never smaller than the true
-/// distance. Points outside of all cells are lost. Returns early, with the rest NaN, if it is told
-/// to stop.
+/// distance. Points outside of an image are measured by way of its border; those outside of all
+/// cells of a mesh are lost. Returns early, with the rest NaN, if it is told to stop.
 SurfaceErrors MeasureErrors(vtkDataSet* data, TracedIsosurface& isosurface, double isovalue,
   vtkPoints* points, vtkDataArray* normals, const std::function<bool()>& isAborted);
 

@@ -49,6 +49,7 @@
  * where linear interpolation is exact, and would make the mesh look more accurate than it is. A
  * distance is measured along the gradient of the interpolant, by casting a ray, or to the nearest
  * crossing of an edge of the cell, if that is nearer; it is never smaller than the true distance.
+ * Where a point is outside of the image, a line goes on from the border, and the way there counts.
  * For the mappers of this module the points are the hits of the picture, with the gradient as
  * normal. In a mesh the cell at a point, the value and the gradient there are those of VTK's own
  * cells (vtkCell::EvaluatePosition, vtkCell::Derivatives), and the unit of distances in cells is

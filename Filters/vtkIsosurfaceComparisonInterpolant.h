@@ -37,8 +37,8 @@ public:
   static std::unique_ptr<Interpolant> New(vtkDataSet* data);
   virtual ~Interpolant() = default;
 
-  /// Goes to a point. One that rounding has put outside is moved to the border. Returns false if
-  /// there is no cell.
+  /// Goes to a point. One outside of an image is moved to the border, as is one that rounding has
+  /// put outside of a mesh. Returns false if there is no cell.
   virtual bool GoTo(Vector& point) = 0;
 
   // Of the place it is at, in the world:

@@ -290,7 +290,8 @@ void TestOneCell()
 }
 
 //------------------------------------------------------------------------------
-// A filter that ignores the direction matrix has a surface beside the image: the note says why.
+// A filter that ignores the direction matrix has a surface beside the image: the note says why, and
+// its points are not nearer to the isosurface than to the image.
 void TestDirectionMatrix()
 {
   vtkNew<vtkRTAnalyticSource> wavelet;
@@ -311,6 +312,14 @@ void TestDirectionMatrix()
     const std::string note = comparison->GetOutput()->GetValueByName(row, "Note").ToString();
     CheckEqual(note.find("direction matrix") == std::string::npos, surface->GetBounds()[1] < 0.0,
       "what is said of the direction matrix");
+    vtkDataArray* distances = surface->GetPointData()->GetArray("Distance");
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      const double* point = surface->GetPoint(i);
+      const double toImage = std::hypot(std::max(point[0] + 1.0, 0.0), point[1] + 1.0);
+      const bool isBeside = point[0] > -1.0;
+      Check(!isBeside || distances->GetComponent(i, 0) > toImage - 1e-4, "a distance is too small");
+    }
   }
 }
 
