@@ -107,6 +107,14 @@ def make_mapper(data, isovalue=0.0, opacity=GLASS):
     return make_volume(data, isovalue, mapper_class=vtkIsosurfaceRayTraceMapper, opacity=opacity)
 
 
+def find_extreme(mapper, volume, start, end):
+    """The value that a projection has along a line."""
+    t, position, parametric, cell = mutable(0.0), [0.0] * 3, [0.0] * 3, mutable(0)
+    value, normal = mutable(0.0), [0.0] * 3
+    assert mapper.IntersectWithLine(volume, start, end, t, position, parametric, cell, value, normal)
+    return value.get()
+
+
 class TestAmr(unittest.TestCase):
     def check_closed(self, data):
         mapper, volume = make_mapper(data)
@@ -341,11 +349,20 @@ class TestAmr(unittest.TestCase):
                 mapper.SetBlendModeToMaximumIntensity()
                 start = [-1.0 if k == axis else 1.7 for k in range(3)]
                 end = [5.0 if k == axis else 1.6 for k in range(3)]
-                t, position, parametric, cell = mutable(0.0), [0.0] * 3, [0.0] * 3, mutable(0)
-                largest, normal = mutable(0.0), [0.0] * 3
-                self.assertTrue(
-                    mapper.IntersectWithLine(volume, start, end, t, position, parametric, cell, largest, normal))
-                self.assertLess(largest.get(), 3.0 + 1e-6)
+                self.assertLess(find_extreme(mapper, volume, start, end), 3.0 + 1e-6)
+
+    def test_projections_end_at_the_border(self):
+        """Not in the layer of nodes behind it, which continues the values."""
+        for axis, of_cells in itertools.product(range(3), (False, True)):
+            with self.subTest(axis=axis, of_cells=of_cells):
+                amr = vtkOverlappingAMR()
+                fill(amr, [(0, (0, 0, 0), (4, 4, 4))], of_cells, value=lambda point: point[axis])
+                mapper, volume = make_mapper(amr)
+                mapper.SetBlendModeToMaximumIntensity()
+                start = [-1.0 if k == axis else 1.7 for k in range(3)]
+                end = [5.0 if k == axis else 1.6 for k in range(3)]
+                # Nodes of cells are as far as their centres from the border, where values do not change.
+                self.assertAlmostEqual(find_extreme(mapper, volume, start, end), 3.5 if of_cells else 4.0, delta=1e-12)
 
     def test_cells_with_a_blanked_point_are_not_hit(self):
         for of_cells in (False, True):

@@ -30,6 +30,10 @@ namespace
 /// More than what rounding may move rays, hits and boxes by, as a part of their distance or size.
 constexpr double Slack = 1e-9;
 
+/// The same for rays of a projection in the box of a member: behind it, they would count values
+/// that are not its own.
+constexpr double SlackOfProjections = 0x1p-48;
+
 /// Narrows the rays of a packet to a box.
 void Cut(const Kernels* kernels, const RayPacket& packet, const Bounds& box, RaysInBox& inside)
 {
@@ -112,20 +116,20 @@ bool IsLimited(const MemoryBudget& budget)
   return budget.CacheBytes != MemoryBudget{}.CacheBytes;
 }
 
-double FindMargin(const Bounds& box)
+double FindMargin(const Bounds& box, double slack = Slack)
 {
   const Vector3 size = box.Upper - box.Lower;
-  return Slack * std::max(std::max(size[0], size[1]), size[2]);
+  return slack * std::max(std::max(size[0], size[1]), size[2]);
 }
 
 /// A box a little larger, by more than what rounding may move rays and hits.
-Bounds WithMargin(const Bounds& box)
+Bounds WithMargin(const Bounds& box, double slack = Slack)
 {
   Bounds larger = box;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    larger.Lower[axis] -= FindMargin(box);
-    larger.Upper[axis] += FindMargin(box);
+    larger.Lower[axis] -= FindMargin(box, slack);
+    larger.Upper[axis] += FindMargin(box, slack);
   }
   return larger;
 }
@@ -149,6 +153,8 @@ struct alignas(64) FieldSet::Member
   TracedField* Field = nullptr;
   /// The number of half-spaces that cut the member alone: those of the request follow.
   int OwnHalfSpaces = 0;
+  /// What rays of a projection are cut to.
+  Bounds BoxOfProjections;
 
   /// A hit, with the number that its half-space has in the member.
   Hit ToOwn(Hit hit) const
@@ -316,6 +322,7 @@ FieldSet::FieldSet(const std::vector<PlacedField>& fields)
     Member& member = this->Members[i];
     member.Source = placed.Source;
     member.Box = WithMargin(placed.Box);
+    member.BoxOfProjections = WithMargin(placed.Box, SlackOfProjections);
     member.SetFromOwn = placed.SetFromOwn;
     member.OwnFromSet = InvertAffine(placed.SetFromOwn);
     member.SetFromOwnGradient = NormalMatrix(placed.SetFromOwn);
@@ -677,6 +684,8 @@ void FieldSet::TraceMember(const Candidate& candidate, ThreadBeam& beam) const
 {
   GatheredRays& gathered = beam.Gathered;
   gathered.Clear();
+  const Bounds& box =
+    this->Request.Projection ? this->Members[candidate.Number].BoxOfProjections : candidate.Box;
   const Member* member = nullptr;
   for (unsigned int left = candidate.Packets; left != 0; left &= left - 1)
   {
@@ -686,7 +695,7 @@ void FieldSet::TraceMember(const Candidate& candidate, ThreadBeam& beam) const
     {
       continue;
     }
-    Cut(this->PacketKernels, *packet.Rays, candidate.Box, beam.Inside);
+    Cut(this->PacketKernels, *packet.Rays, box, beam.Inside);
     const int count = CountOf(beam.Inside.Rays);
     member = count > 0 && !member ? this->Prepare(candidate.Number) : member;
     if (count > 0 && !member)
