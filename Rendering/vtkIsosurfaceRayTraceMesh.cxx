@@ -593,6 +593,33 @@ void vtkIsosurfaceRayTraceMesh::FindHiddenCells()
 }
 
 //------------------------------------------------------------------------------
+/// Hides those parts of a cell that are finite, where one of the others is not.
+void vtkIsosurfaceRayTraceMesh::HidePartsOfInfiniteCells()
+{
+  if (this->CellIds.empty() || this->Field->AreAllCellsFinite())
+  {
+    return;
+  }
+  this->HiddenCells.resize(this->CellIds.size(), 0);
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < this->CellIds.size(); begin = end)
+  {
+    bool isFinite = true;
+    for (end = begin; end < this->CellIds.size() && this->CellIds[end] == this->CellIds[begin];
+         ++end)
+    {
+      vtkirt::MeshCell part;
+      isFinite = this->Cells->Load(static_cast<std::int64_t>(end), part) && isFinite;
+    }
+    if (!isFinite)
+    {
+      std::fill(this->HiddenCells.begin() + static_cast<std::ptrdiff_t>(begin),
+        this->HiddenCells.begin() + static_cast<std::ptrdiff_t>(end), 1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 /// The points of a cell, or of the whole of which it is a part; none if its shape is not traced.
 void vtkIsosurfaceRayTraceMesh::FindPointsOfCell(std::int64_t number, vtkIdList* points) const
 {
@@ -622,6 +649,7 @@ bool vtkIsosurfaceRayTraceMesh::Update(int threads)
   this->Cells = std::make_unique<vtkirt::MeshCells>(this->View, threads);
   this->FindHiddenCells();
   this->Field = std::make_unique<vtkirt::MeshField>(*this->Cells, threads);
+  this->HidePartsOfInfiniteCells();
   return true;
 }
 

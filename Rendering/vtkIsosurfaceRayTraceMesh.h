@@ -113,6 +113,7 @@ private:
   void SelectPoints();
   void SelectValues();
   void FindHiddenCells();
+  void HidePartsOfInfiniteCells();
   void FindPointsOfCell(std::int64_t number, vtkIdList* points) const;
   double FindColor(std::int64_t point, int component) const;
   std::int64_t CountPointsOfGrid() const;

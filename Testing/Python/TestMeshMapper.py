@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The mapper of meshes: cells of every shape, pictures, rays, picking, errors."""
 
+import itertools
 import math
 import subprocess
 import sys
@@ -484,6 +485,25 @@ print(len(cast(*make_volume(make_grid({VTK_BEZIER_WEDGE}, plane), 3.3), rays)))
                     mapper.SetTetrahedralize(tetrahedralize)
                     visible = 1 if hidden < grid.GetNumberOfPoints() // 2 else 0
                     self.assertEqual([hit[2] for hit in cast(mapper, volume, rays)], 3 * [visible])
+
+    def test_cells_with_a_point_that_is_not_finite_are_not_hit(self):
+        """Also those that are subdivided: no part of them is."""
+        rays = [((x + shift, 0.3, -1.0), (0.0, 0.0, 1.0)) for shift in (0.0, 2.0) for x in (0.25, 0.35, 0.45)]
+        for shape, tetrahedralize in ((VTK_HEXAHEDRON, False), (VTK_HEXAHEDRON, True), (VTK_HEXAGONAL_PRISM, False),
+                                      (VTK_QUADRATIC_TETRA, False), (VTK_TRIQUADRATIC_HEXAHEDRON, False)):  # fmt: skip
+            count = make_cells(shape, lambda point: point[2]).GetNumberOfPoints()
+            for number, is_value in itertools.product(range(count), (True, False)):
+                with self.subTest(shape=shape, tetrahedralize=tetrahedralize, number=number, is_value=is_value):
+                    grid = make_cells(shape, lambda point: point[2])
+                    if is_value:
+                        grid.GetPointData().GetScalars().SetValue(number, math.nan)
+                    else:
+                        x, y, _ = grid.GetPoint(number)
+                        grid.GetPoints().SetPoint(number, x, y, math.inf)
+                    mapper, volume = make_volume(grid, 0.2)
+                    mapper.SetTetrahedralize(tetrahedralize)
+                    other = 1 if number < count // 2 else 0
+                    self.assertEqual([hit[2] for hit in cast(mapper, volume, rays)], 3 * [other])
 
     def test_scalars_of_cells_are_averaged_as_by_vtk(self):
         grid = make_grid(VTK_HEXAHEDRON, ball)

@@ -41,6 +41,8 @@ public:
 
   Bounds GetBounds() const override { return this->Tree.GetBounds(); }
   double GetCellSize() const override;
+  /// Whether all cells that are traced are finite.
+  bool AreAllCellsFinite() const { return this->Tree.AreAllFinite(); }
   void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const override;
   void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
