@@ -50,6 +50,26 @@ vtkirt::Light ConvertLight(vtkLight* light, const vtkirt::Matrix4& worldFromLigh
   return result;
 }
 
+/// That of the largest number of a matrix.
+int FindLargestExponent(const vtkirt::Matrix4& matrix)
+{
+  double largest = 0.0;
+  for (const double number : matrix)
+  {
+    largest = std::max(largest, std::abs(number));
+  }
+  return largest > 0.0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+}
+
+vtkirt::Matrix4 ScaleByPowerOfTwo(vtkirt::Matrix4 matrix, int exponent)
+{
+  for (double& number : matrix)
+  {
+    number = std::ldexp(number, exponent);
+  }
+  return matrix;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -160,11 +180,16 @@ vtkirt::Camera MakeCamera(const vtkirt::Matrix4& clipFromWorld,
 {
   vtkirt::Matrix4 clipFromObject;
   vtkMatrix4x4::Multiply4x4(clipFromWorld.data(), worldFromObject.data(), clipFromObject.data());
+  // With the largest number about 1, the determinant of extreme scales neither overflows nor
+  // vanishes.
+  const int exponent = FindLargestExponent(clipFromObject);
+  const vtkirt::Matrix4 scaled = ScaleByPowerOfTwo(clipFromObject, -exponent);
   // Without an inverse, it is left as it is: no ray hits anything then.
   vtkirt::Matrix4 objectFromClip = {};
-  if (vtkIsosurfaceRayTraceProblems::IsInvertible(clipFromObject))
+  if (vtkIsosurfaceRayTraceProblems::IsInvertible(scaled))
   {
-    vtkMatrix4x4::Invert(clipFromObject.data(), objectFromClip.data());
+    vtkMatrix4x4::Invert(scaled.data(), objectFromClip.data());
+    objectFromClip = ScaleByPowerOfTwo(objectFromClip, -exponent);
   }
   return { clipFromObject, objectFromClip, worldFromObject, width, height };
 }

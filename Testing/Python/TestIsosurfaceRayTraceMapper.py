@@ -72,6 +72,25 @@ class TestIsosurfaceRayTraceMapper(unittest.TestCase):
         self.assertGreater(red, 0)
         self.assertEqual((green, blue), (0, 0))
 
+    def test_extreme_scales(self):
+        """The scene and its camera may be scaled as long as the matrix of the volume has an inverse."""
+        _, mapper, volume = make_waves()
+        center, size = volume.GetCenter(), volume.GetLength()
+        pictures = []
+        for scale in (1.0, 2.0**-330, 2.0**-256, 2.0**256, 2.0**330):
+            volume.SetScale(scale)
+            camera = vtkCamera()
+            camera.SetFocalPoint([scale * x for x in center])
+            camera.SetPosition([scale * (x + 2.0 * size * y) for x, y in zip(center, (0.3, 0.4, 0.8))])
+            camera.SetClippingRange(scale * size, scale * 4.0 * size)
+            image = vtkImageData()
+            self.assertTrue(mapper.RenderToImage(volume, camera, None, 40, 30, image))
+            cells = image.GetPointData().GetArray("CellId")
+            pictures.append([cells.GetValue(pixel) for pixel in range(40 * 30)])
+        self.assertGreater(sum(cell >= 0 for cell in pictures[0]), 200)
+        for picture in pictures[1:]:
+            self.assertEqual(picture, pictures[0])
+
     def test_whole_extent_whoever_asked_for_a_part(self):
         source, mapper, volume = make_waves()
 
