@@ -14,6 +14,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace ImageFiles
@@ -22,11 +23,22 @@ namespace ImageFiles
 // A header has about a dozen short lines.
 constexpr std::size_t LongestHeader = 1 << 16;
 
-/// As much of a file as a header may have. Throws if it cannot be opened.
+/// Whether who opens a file may wait forever.
+inline bool IsPipe(const std::string& fileName)
+{
+  std::error_code error;
+  return std::filesystem::is_fifo(fileName, error);
+}
+
+/// As much of a file as a header may have. Throws if it cannot be opened, or is a pipe.
 inline std::string ReadBeginning(const std::string& fileName, std::size_t most = LongestHeader)
 {
-  std::ifstream file(fileName, std::ios::binary);
-  if (!file)
+  std::ifstream file;
+  if (!IsPipe(fileName))
+  {
+    file.open(fileName, std::ios::binary);
+  }
+  if (!file.is_open())
   {
     throw std::runtime_error(fileName + ": there is no such file, or it cannot be read");
   }

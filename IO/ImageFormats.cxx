@@ -4,6 +4,7 @@
 #include "ImageFormats.h"
 
 #include "AppendedSamples.h"
+#include "HeaderText.h"
 #include "MetaImageHeader.h"
 #include "NiftiHeader.h"
 #include "NrrdHeader.h"
@@ -24,6 +25,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <optional>
+#include <stdexcept>
 
 namespace ImageFiles
 {
@@ -214,6 +216,10 @@ bool HasHeader(const std::string& fileName)
 //------------------------------------------------------------------------------
 MappableImage FindImage(const std::string& fileName)
 {
+  if (IsPipe(fileName))
+  {
+    throw std::runtime_error(fileName + " is a pipe, which cannot be mapped: give a file");
+  }
   if (IsMetaImage(fileName))
   {
     return FindImageOfMetaImage(fileName);

@@ -154,6 +154,16 @@ void CheckFields(const Header& header)
   {
     header.Throw("VTK reads no samples of ElementType = " + header.Get("ElementType"));
   }
+  constexpr std::size_t longest = 254;
+  for (const char* name : { "Comment", "Name", "ObjectSubType" })
+  {
+    if (header.Get(name).size() > longest)
+    {
+      header.Throw("its header has a " + std::string(name) + " of more than " +
+        std::to_string(longest) +
+        " characters, by which VTK's reader ends the process. Shorten it");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -265,6 +265,19 @@ void CheckNrrd(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+void CheckVolumeOfNrrd(const std::string& fileName)
+{
+  const Header header = ReadHeader(fileName);
+  const std::vector<std::string> sizes = SplitWords(header.Get("sizes"));
+  if (sizes.size() == 3 && sizes.front().size() == 1)
+  {
+    header.Throw("has three axes, of which VTK's reader takes the first, with fewer than ten "
+                 "samples, for components. Write a volume with a longer axis first, or with more "
+                 "samples.");
+  }
+}
+
+//------------------------------------------------------------------------------
 std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName)
 {
   const Header header = ReadHeader(fileName);

@@ -27,6 +27,10 @@ std::string FindDataFileOfNrrd(const std::string& fileName);
 /// not the first.
 void CheckNrrd(const std::string& fileName);
 
+/// Throws std::runtime_error if there are three axes of which VTK's reader takes the first for
+/// components, since it is short: what it gives is a picture.
+void CheckVolumeOfNrrd(const std::string& fileName);
+
 /// The samples of a NRRD, and how many the header says that there are.
 struct NrrdSamples : RawSamples
 {

@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, v
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from ._errors import silence
-from ._headers import check_nrrd, fields_of_metaimage
+from ._headers import check_metaimage, check_nrrd, fields_of_metaimage
 from ._patient import place_by_header, place_nifti, place_slices
 from ._slices import check_values, find_slices, warn_of_distances
 from .vtkIsosurfaceRayTracing import vtkMappedImageReader
@@ -80,6 +80,8 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     path = os.fspath(path)
     if not os.path.exists(path):
         raise FileNotFoundError(f"there is no file {path}")
+    if not os.path.isfile(path) and not os.path.isdir(path):
+        raise ValueError(f"{path} is neither a file nor a folder, but a pipe or a device; write a file")
     if os.path.isfile(path) and os.path.getsize(path) == 0:
         raise ValueError(f"{path} is empty")
     with silence():
@@ -119,6 +121,8 @@ def _make_reader(path):
             reader = None
     if reader is None and _new("vtkIOImage.vtkDICOMImageReader").CanReadFile(path):
         raise ValueError(f"{path} is a file of DICOM; name the folder that the slices are in")
+    if path.lower().endswith((".mhd", ".mha")):
+        check_metaimage(path)
     if reader is not None and reader.IsA("vtkNrrdReader"):
         check_nrrd(path)
     if reader is not None and reader.IsA("vtkXMLUniformGridAMRReader"):

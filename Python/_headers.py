@@ -34,6 +34,15 @@ def fields_of_metaimage(path):
     return {name.decode(): value for name, value in re.findall(rb"^(\w+) *[=:] *(.*?)\s*$", header, re.MULTILINE)}
 
 
+def check_metaimage(path):
+    """Refuse files by which VTK's reader ends the process."""
+    fields = fields_of_metaimage(path)
+    for name in ("Comment", "Name", "ObjectSubType"):
+        if len(fields.get(name, b"")) > 254:
+            raise ValueError(f"{path} has a {name} of more than 254 characters, by which VTK's reader ends the process; "
+                             "shorten it")
+
+
 def place_of_metaimage(path):
     """None if the header tells nothing of directions or of a patient. (Its coordinates are those of ITK, then.)"""
     fields = fields_of_metaimage(path)
@@ -66,6 +75,9 @@ def check_nrrd(path):
     if not _are_parts_first(fields):
         raise ValueError(f"{path} has components, or several volumes, along an axis that is not the first, which VTK's "
                          "reader takes for them, or does not tell the axis (kinds); write one volume")
+    if len(sizes) == 3 and int(sizes[0]) < 10:
+        raise ValueError(f"{path} has three axes, of which VTK's reader takes the first, with fewer than ten samples, for "
+                         "components; write a volume with a longer axis first, or with more samples")
 
 
 def _are_parts_first(fields):

@@ -8,8 +8,10 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace Programs
@@ -29,12 +31,30 @@ std::vector<std::string> FindFilesOfSamples(const std::string& input)
 
 }
 
+//------------------------------------------------------------------------------
+bool IsFile(const std::string& name)
+{
+  std::error_code error;
+  return std::filesystem::is_regular_file(name, error);
+}
+
+//------------------------------------------------------------------------------
+void CheckIsFile(const std::string& name)
+{
+  if (!IsFile(name))
+  {
+    throw std::runtime_error("there is no file " + name +
+      (vtksys::SystemTools::FileExists(name) ? ", but a pipe or a device: give a file" : ""));
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckIsNoInput(const std::string& output, const std::string& input)
 {
   using vtksys::SystemTools;
-  if (!SystemTools::FileExists(input, true))
+  if (!IsFile(input))
   {
-    return; // It is a folder, or nothing: who reads it says so.
+    return; // It is a folder, a pipe, or nothing: who reads it says so.
   }
   if (SystemTools::SameFile(output, input))
   {

@@ -3,6 +3,7 @@
 
 #include "ReadDataObject.h"
 
+#include "InputFiles.h"
 #include "ReadVolume.h"
 #include "ReaderErrors.h"
 
@@ -168,10 +169,7 @@ vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& fileName, doubl
   {
     return ReadOrMapVolume(fileName, maxMemory, Axes::OfPatient);
   }
-  if (!SystemTools::FileExists(fileName, true))
-  {
-    throw std::runtime_error("there is no file " + fileName);
-  }
+  CheckIsFile(fileName);
   constexpr double bytesPerMebibyte = 1024.0 * 1024.0;
   if (static_cast<double>(SystemTools::FileLength(fileName)) > maxMemory * bytesPerMebibyte)
   {

@@ -4,6 +4,7 @@
 #include "ReadVolume.h"
 
 #include "DicomSlices.h"
+#include "InputFiles.h"
 #include "MetaImageHeader.h"
 #include "NiftiHeader.h"
 #include "NrrdHeader.h"
@@ -258,6 +259,10 @@ vtkSmartPointer<vtkImageData> Read(ReaderT* reader, const std::string& name, con
 template <typename ReaderT>
 vtkSmartPointer<vtkImageData> ReadFile(ReaderT* reader, const std::string& name, const Order& order)
 {
+  if (ImageFiles::IsNrrd(name))
+  {
+    ImageFiles::CheckVolumeOfNrrd(name);
+  }
   reader->SetFileName(name.c_str());
   return Read(reader, name, order);
 }
@@ -316,10 +321,7 @@ vtkSmartPointer<vtkImageData> ReadIntoMemory(
     image->Crop(choose(whole).data());
     return image;
   }
-  if (!SystemTools::FileExists(fileName, true))
-  {
-    throw std::runtime_error("there is no file " + fileName);
-  }
+  CheckIsFile(fileName);
   const double unknown = std::numeric_limits<double>::infinity();
   if (SystemTools::StringEndsWith(SystemTools::LowerCase(fileName), ".vti"))
   {

@@ -156,6 +156,17 @@ class TestOutputs(unittest.TestCase):
         result = run(*compare, slices, "--json", slices / "a.json", stdout=subprocess.DEVNULL)
         self.assertNotIn("ElementDataFile", result.stderr)
 
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "pipes have names there")
+    def test_inputs_are_no_pipes(self):
+        """Programs would wait for them."""
+        for suffix in (".mhd", ".nrrd", ".vti", ".vtu", ".png"):
+            pipe = self.folder / f"pipe{suffix}"
+            os.mkfifo(pipe)
+            with self.subTest(suffix):
+                result = run(COMPARE, "--input", pipe, "--isovalue", "0", "--json", self.folder / "a.json")
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn(f"there is no file {pipe}, but a pipe or a device", result.stderr)
+
     def test_signals_leave_nothing(self):
         """Neither of a new volume nor of one that replaces another."""
         old = {path.name: path.read_bytes() for path in self.folder.iterdir()}

@@ -3,6 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """read() of the Python package: files of every format, folders of DICOM slices, and what is damaged."""
 
+import itertools
+import os
 import subprocess
 import sys
 import tempfile
@@ -418,6 +420,38 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
         path.write_bytes((header.replace("3 3 3", "12 3 3") + segments + "\n").encode() + bytes(216))
         self.assertEqual(read(path).GetDimensions(), (12, 3, 3))
         self.assertTrue(vtkMappedImageReader().CanReadFile(str(path)))
+
+    def test_nrrd_with_a_short_first_axis(self):
+        """VTK's reader takes it for components."""
+        path = self.folder / "short.nrrd"
+        header = "NRRD0004\ntype: short\ndimension: 3\nsizes: 9 12 13\n{}endian: little\nencoding: raw\n\n"
+        for more in ("", "kinds: domain domain domain\n", "space directions: (1,0,0) (0,1,0) (0,0,1)\n"):
+            path.write_bytes(header.format(more).encode() + bytes(9 * 12 * 13 * 2))
+            with self.subTest(more), self.assertRaisesRegex(ValueError, "fewer than ten samples, for components"):
+                read(path)
+
+    def test_metaimage_with_a_long_comment(self):
+        """VTK's reader ends the process."""
+        path = self.folder / "long.mha"
+        for name, length in itertools.product(("Comment", "Name", "ObjectSubType"), (254, 255, 3000)):
+            path.write_bytes(f"ObjectType = Image\nNDims = 3\n{name} = {'x' * length}\nBinaryData = True\nDimSize = 5 4 3\n"
+                             "ElementType = MET_SHORT\nElementDataFile = LOCAL\n".encode() + bytes(120))
+            with self.subTest(name=name, length=length):
+                if length < 255:
+                    self.assertEqual(read(path).GetDimensions(), (5, 4, 3))
+                else:
+                    with self.assertRaisesRegex(ValueError, f"a {name} of more than 254 characters"):
+                        read(path)
+
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "pipes have names there")
+    def test_pipes(self):
+        """Nobody waits for them."""
+        for suffix in (".mhd", ".nrrd", ".vti", ".vtu", ".nii", ".png"):
+            path = self.folder / f"pipe{suffix}"
+            os.mkfifo(path)
+            with self.subTest(suffix), self.assertRaisesRegex(ValueError, "a pipe or a device"):
+                read(path)
+            self.assertFalse(vtkMappedImageReader().CanReadFile(str(path)))
 
     def test_damaged_files(self):
         """Nothing but the exception tells of them."""
