@@ -227,6 +227,29 @@ TEST(ProjectionOfRays, FirstOfEqualValues)
 }
 
 //------------------------------------------------------------------------------
+TEST(ProjectionOfRays, PassesOverEqualValues)
+{
+  // Rays find the value where they enter, in one brick: no others are built.
+  constexpr int edge = 100;
+  const TestVolume<float> constant(
+    { edge, edge, edge }, std::vector<float>(std::size_t{ edge } * edge * edge, 7.0F));
+  std::vector<std::optional<Ray>> rays;
+  for (int i = 0; i < RayPacket::Capacity; ++i)
+  {
+    rays.push_back(ClipToVolume({ 9.0 + 0.4 * (i % 16), 9.0 + 0.4 * (i / 16), -5.0 },
+      { 0.01, 0.02, 1.0 }, 0.0, Infinity, constant.Dimensions));
+  }
+  for (const Extremum kind : Both)
+  {
+    const auto traced = NewTraced(constant, Request(kind));
+    RayHits hits;
+    Trace(*traced, rays, hits);
+    EXPECT_EQ(hits.Hits.size(), rays.size());
+    EXPECT_EQ(traced->GetStatistics().NumberOfBricks, 1U);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(ProjectionOfRays, IndependentOfSettings)
 {
   const auto volume = Noise<std::int16_t>({ 70, 30, 25 }, 9);

@@ -141,7 +141,7 @@ private:
   }
 
   // In a slice the cells of a ray come in no order: one with an equal value, which lies before,
-  // must not be left out.
+  // must not be left out. Behind the slice all lie behind, and values must be larger.
   void EndQueuedSlice(const Frustum& /*frustum*/) override { this->FindLeast(); }
 
   Projection& GetProjection(int ray) { return this->Projections[static_cast<std::size_t>(ray)]; }
@@ -155,7 +155,14 @@ private:
 
   void FindLeast()
   {
-    this->Least = static_cast<double>(*std::min_element(this->Bounds.begin(), this->Bounds.end()));
+    this->Least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < this->Rays.Count; ++i)
+    {
+      if (this->Bounds[static_cast<std::size_t>(i)] < std::numeric_limits<float>::infinity())
+      {
+        this->Least = std::min(this->Least, this->GetProjection(i).Best);
+      }
+    }
   }
 
   const ImageSelection& Selection;
@@ -165,9 +172,9 @@ private:
   Rows CornersInRows;
   RayProjector& TheProjector;
   std::array<Projection, RayPacket::Capacity> Projections;
-  /// Not above the values that rays have found; infinite for rays that are not followed.
+  /// Below the values that rays have found; infinite for rays that are not followed.
   std::array<float, RayPacket::Capacity> Bounds;
-  /// The smallest of them before the slice.
+  /// The smallest value that rays which are followed have found before the slice.
   double Least = 0.0;
 };
 
