@@ -5,6 +5,8 @@
 #include "Field/FieldSet.h"
 #include "Matrices.h"
 #include "Mesh/BeamFrame.h"
+#include "Mesh/BeamTracer.h"
+#include "Mesh/HitsOfRays.h"
 #include "Mesh/MeshBeam.h"
 #include "Mesh/MeshField.h"
 #include "Rays/AppendBoxedRay.h"
@@ -421,9 +423,16 @@ TEST_P(MeshBeams, AreMadeOfRaysNextToEachOther)
         random.PointInBox({ 2.0, 2.0, 1.0 }, { 2.0 + distance, 2.0 + distance, 2.0 });
       field.AddRay(place, { 0.1, 0.2, 1.0 }, 0.0, Infinity, packet);
     }
+    const bool areNear = distance < 25.0;
     MeshBeam beam;
     beam.Begin(selection, packet, packet.Exists);
-    EXPECT_EQ(beam.IsBeam(), distance < 25.0) << distance;
+    EXPECT_EQ(beam.IsBeam(), areNear) << distance;
+    // In a picture: the beam is that of a tile, whose rays are not known when it begins.
+    beam.Begin(selection, packet);
+    ASSERT_TRUE(beam.IsBeam());
+    BeamTracer tracer;
+    HitsOfRays hits;
+    EXPECT_EQ(!IsEmpty(tracer.Trace(selection, packet, nullptr, beam, hits)), areNear) << distance;
   }
 }
 

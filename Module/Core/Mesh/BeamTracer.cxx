@@ -24,6 +24,10 @@ RaySet BeamTracer::Trace(const MeshSelection& selection, const RayPacket& packet
   this->Packet = &packet;
   this->Solver.Begin(selection, packet, departures);
   this->Enter(selection, beam.GetFrame());
+  if (this->AreFarApart(selection, beam.GetFrame()))
+  {
+    return {};
+  }
   for (std::size_t next = 0;
        next < beam.GetNumberOfSets() || this->FindMore(selection, beam, hits);)
   {
@@ -84,6 +88,23 @@ void BeamTracer::PlaceRays()
     const int y = square / across * edge + place % GroupSize / edge;
     this->Rays.Ray[place] = isCut && place < count ? x + columns * y : place;
   }
+}
+
+//------------------------------------------------------------------------------
+/// Whether the rays that are in the beam are, as in a picture of a mesh with more cells than
+/// pixels.
+bool BeamTracer::AreFarApart(const MeshSelection& selection, const BeamFrame& frame)
+{
+  double extent[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    // In the beam labels are from -1 to 1.
+    extent[k] = 0.5 * frame.GetWidth() *
+      (static_cast<double>(this->Rays.UpperOfAll[k]) -
+        static_cast<double>(this->Rays.LowerOfAll[k]));
+  }
+  return MeshBeam::AreFarApart(
+    selection, extent[0], extent[1], CountOf(this->Solver.GetFramed().InBeam));
 }
 
 //------------------------------------------------------------------------------

@@ -21,15 +21,16 @@ namespace vtkIsosurfaceRayTracing
 class BeamTracer
 {
 public:
-  /// Adds the hits of the rays that are in the beam, and are not given up; of secondary rays, with
-  /// a departure for each ray of the packet, any that stops them. Returns which these are: those of
-  /// others are not all there.
+  /// Adds the hits of the rays that are in the beam, unless they are far apart, and are not given
+  /// up; of secondary rays, with a departure for each ray of the packet, any that stops them.
+  /// Returns which these are: those of others are not all there.
   RaySet Trace(const MeshSelection& selection, const RayPacket& packet, const Departure* departures,
     MeshBeam& beam, HitsOfRays& hits);
 
 private:
   void Enter(const MeshSelection& selection, const BeamFrame& frame);
   void PlaceRays();
+  bool AreFarApart(const MeshSelection& selection, const BeamFrame& frame);
   bool FindMore(const MeshSelection& selection, MeshBeam& beam, HitsOfRays& hits);
   void RemovePairsBehindEnds();
   void Solve(const MeshSelection& selection, const MeshBeam& beam, HitsOfRays& hits);

@@ -46,16 +46,22 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& rays, cons
   }
   BeamProjection projection = this->Frame.GetProjection();
   projection.Begin = this->Frame.FindBegin(rays, some);
-  // Rays that are far from each other have little in common: of the cells between them most are met
-  // by none. Rays to a point within the mesh would have no labels there.
-  constexpr double mostCellsOfRay = 4.0;
-  const double side = this->Frame.GetWidth() / selection.CellSize + 1.0;
-  this->HasFrame =
-    side * side < mostCellsOfRay * CountOf(some) && this->Frame.HasLabelsFrom(projection.Begin);
+  // Rays to a point within the mesh would have no labels there.
+  const double width = this->Frame.GetWidth();
+  this->HasFrame = !AreFarApart(selection, width, width, CountOf(some)) &&
+    this->Frame.HasLabelsFrom(projection.Begin);
   if (this->HasFrame)
   {
     this->Nodes.Begin(selection, projection);
   }
+}
+
+//------------------------------------------------------------------------------
+bool MeshBeam::AreFarApart(const MeshSelection& selection, double width, double height, int count)
+{
+  constexpr double mostCellsOfRay = 4.0;
+  const double size = selection.CellSize;
+  return !((width / size + 1.0) * (height / size + 1.0) < mostCellsOfRay * count);
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,10 @@ public:
   /// Begins with some rays, from where they begin.
   void Begin(const MeshSelection& selection, const RayPacket& rays, const RaySet& some);
 
+  /// Whether so many rays, in a rectangle, are so far from each other that they have little in
+  /// common: of the cells between them most are met by none.
+  static bool AreFarApart(const MeshSelection& selection, double width, double height, int count);
+
   /// Ends without beginning anew: there is no frame.
   void End() { this->HasFrame = false; }
 
