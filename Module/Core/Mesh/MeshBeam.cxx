@@ -59,7 +59,8 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& rays, cons
 //------------------------------------------------------------------------------
 bool MeshBeam::AreFarApart(const MeshSelection& selection, double width, double height, int count)
 {
-  constexpr double mostCellsOfRay = 4.0;
+  // A beam takes longer for a trilinear cell than for a tetrahedron, a ray by itself does not.
+  const double mostCellsOfRay = selection.Cells->AreTetrahedra() ? 6.0 : 0.5;
   const double size = selection.CellSize;
   return !((width / size + 1.0) * (height / size + 1.0) < mostCellsOfRay * count);
 }
