@@ -282,7 +282,7 @@ struct vtkIsosurfaceRayTraceAmrPart::Hierarchy
 //------------------------------------------------------------------------------
 std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmrPart::MakeParts(
   const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves, const vtkIsosurfaceRayTraceScalars& scalars,
-  const vtkirt::ImageSettings& settings, vtkVolumeMapper* cropping,
+  const vtkirt::ImageSettings& settings, vtkVolumeMapper* cropping, int threads,
   vtkIsosurfaceRayTraceLeftOut& leftOut)
 {
   std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> parts;
@@ -310,7 +310,7 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
     vtkIsosurfaceRayTraceScalars own = scalars;
     own.Array = leaf.Scalars;
     whole->PlainScalars.emplace_back();
-    const auto view = own.MakeView(whole->PlainScalars.back());
+    const auto view = own.MakeView(whole->PlainScalars.back(), threads);
     patch.Samples = { view.Values, view.Type, patch.Cells, view.Stride };
     for (int& dimension : patch.Samples.Dimensions)
     {

@@ -32,7 +32,7 @@ public:
   static std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> MakeParts(
     const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
     const vtkIsosurfaceRayTraceScalars& scalars,
-    const vtkIsosurfaceRayTracing::ImageSettings& settings, vtkVolumeMapper* cropping,
+    const vtkIsosurfaceRayTracing::ImageSettings& settings, vtkVolumeMapper* cropping, int threads,
     vtkIsosurfaceRayTraceLeftOut& leftOut);
 
   bool MayHit(const vtkIsosurfaceRayTracing::TraceRequest& request) override;

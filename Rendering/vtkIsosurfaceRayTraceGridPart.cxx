@@ -95,7 +95,7 @@ bool vtkIsosurfaceRayTraceGridPart::Update(int threads)
 {
   const std::string directory = this->IsBuiltOnDemand() ? "" : this->CacheDirectory;
   const bool hadToBeBuilt = !this->IsBuilt &&
-    this->Source.Update(this->Blocks.GetGrid(), this->Scalars, this->Settings, directory);
+    this->Source.Update(this->Blocks.GetGrid(), this->Scalars, this->Settings, directory, threads);
   while (this->IsBuiltOnDemand() && this->GetFractionRead() < 1.0)
   {
     this->ReadSlab(threads);

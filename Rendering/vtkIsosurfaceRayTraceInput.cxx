@@ -346,8 +346,8 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
     // From VTK 9.6 on, blocks may be rectilinear: they have no levels, and are traced as in others.
     const auto rectilinear = std::stable_partition(grids.begin(), grids.end(),
       [](const Leaf& leaf) { return vtkImageData::SafeDownCast(leaf.Data) != nullptr; });
-    this->Parts = vtkIsosurfaceRayTraceAmrPart::MakeParts(
-      { grids.begin(), rectilinear }, scalars, settings.Image, settings.Cropping, this->LeftOut);
+    this->Parts = vtkIsosurfaceRayTraceAmrPart::MakeParts({ grids.begin(), rectilinear }, scalars,
+      settings.Image, settings.Cropping, settings.Threads, this->LeftOut);
     grids.erase(grids.begin(), rectilinear);
   }
   for (const std::vector<Leaf>& leaves : vtkIsosurfaceRayTraceLattices::Group(grids))

@@ -513,7 +513,7 @@ void vtkIsosurfaceRayTraceMesh::SelectPoints()
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceMesh::SelectValues()
+void vtkIsosurfaceRayTraceMesh::SelectValues(int threads)
 {
   vtkIsosurfaceRayTraceScalars ofPoints = this->Scalars;
   if (this->Scalars.AreOfCells)
@@ -535,7 +535,7 @@ void vtkIsosurfaceRayTraceMesh::SelectValues()
   if (!this->Centers.empty())
   {
     // Centres have the means of magnitudes, not the magnitudes of means.
-    ofPoints.MakeView(this->PlainScalars);
+    ofPoints.MakeView(this->PlainScalars, threads);
     vtkNew<vtkDoubleArray> all;
     all->DeepCopy(this->PlainScalars ? this->PlainScalars.Get() : ofPoints.Array);
     this->AddMeans(all);
@@ -543,7 +543,7 @@ void vtkIsosurfaceRayTraceMesh::SelectValues()
     ofPoints.Array = all;
     ofPoints.Component = all->GetNumberOfComponents() == 1 ? 0 : ofPoints.Component;
   }
-  const vtkIsosurfaceRayTraceScalars::View values = ofPoints.MakeView(this->PlainScalars);
+  const vtkIsosurfaceRayTraceScalars::View values = ofPoints.MakeView(this->PlainScalars, threads);
   this->Read(this->PlainScalars ? this->PlainScalars.Get() : ofPoints.Array);
   this->View.Values = values.Values;
   this->View.ValueType = values.Type;
@@ -645,7 +645,7 @@ bool vtkIsosurfaceRayTraceMesh::Update(int threads)
     return false;
   }
   this->SelectPoints();
-  this->SelectValues();
+  this->SelectValues(threads);
   this->Cells = std::make_unique<vtkirt::MeshCells>(this->View, threads);
   this->FindHiddenCells();
   this->Field = std::make_unique<vtkirt::MeshField>(*this->Cells, threads);

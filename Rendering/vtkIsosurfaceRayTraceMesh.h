@@ -111,7 +111,7 @@ private:
   void Tetrahedralize();
   void ViewOwnCells();
   void SelectPoints();
-  void SelectValues();
+  void SelectValues(int threads);
   void FindHiddenCells();
   void HidePartsOfInfiniteCells();
   void FindPointsOfCell(std::int64_t number, vtkIdList* points) const;

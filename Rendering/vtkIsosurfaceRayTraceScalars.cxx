@@ -10,13 +10,13 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkVolumeProperty.h"
 
 #include <cmath>
 #include <sstream>
 #include <type_traits>
-#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -80,21 +80,30 @@ std::optional<vtkirt::ScalarType> FindScalarType(int vtkType)
   }
 }
 
-/// The magnitudes of vectors, in double precision: those of small numbers need it as well.
-vtkSmartPointer<vtkDataArray> ComputeMagnitudes(vtkDataArray* vectors)
+double FindLength(vtkDataArray* vectors, vtkIdType number)
 {
-  auto lengths = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(VTK_DOUBLE));
-  lengths->SetNumberOfTuples(vectors->GetNumberOfTuples());
-  std::vector<double> vector(static_cast<std::size_t>(vectors->GetNumberOfComponents()));
-  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  double length = 0.0;
+  for (int i = 0; i < vectors->GetNumberOfComponents(); ++i)
   {
-    vectors->GetTuple(i, vector.data());
-    double length = 0.0;
-    for (const double component : vector)
-    {
-      length = std::hypot(length, component);
-    }
-    lengths->SetComponent(i, 0, length);
+    length = std::hypot(length, vectors->GetComponent(number, i));
+  }
+  return length;
+}
+
+/// The magnitudes of vectors, in double precision: those of small numbers need it as well. Arrays
+/// of other layouts may not be read by several threads.
+vtkSmartPointer<vtkDataArray> ComputeMagnitudes(vtkDataArray* vectors, int threads)
+{
+  constexpr vtkIdType many = 1 << 12;
+  const vtkIdType count = vectors->GetNumberOfTuples();
+  const bool isWorth = count > many && vectors->HasStandardMemoryLayout();
+  auto lengths = vtkSmartPointer<vtkDoubleArray>::New();
+  lengths->SetNumberOfTuples(count);
+  double* length = lengths->GetPointer(0);
+#pragma omp parallel for schedule(static) num_threads(threads) if (isWorth)
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    length[i] = FindLength(vectors, i);
   }
   return lengths;
 }
@@ -211,7 +220,7 @@ std::string vtkIsosurfaceRayTraceScalars::FindProblem(vtkIdType points, vtkIdTyp
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceScalars::View vtkIsosurfaceRayTraceScalars::MakeView(
-  vtkSmartPointer<vtkDataArray>& storage) const
+  vtkSmartPointer<vtkDataArray>& storage, int threads) const
 {
   storage = nullptr;
   vtkDataArray* plain = this->Array;
@@ -220,7 +229,7 @@ vtkIsosurfaceRayTraceScalars::View vtkIsosurfaceRayTraceScalars::MakeView(
   const int plainType = isBits ? VTK_UNSIGNED_CHAR : plain->GetDataType();
   if (this->Component == Magnitude)
   {
-    storage = ComputeMagnitudes(this->Array);
+    storage = ComputeMagnitudes(this->Array, threads);
   }
   else if (plain->HasStandardMemoryLayout() && !isBits)
   {

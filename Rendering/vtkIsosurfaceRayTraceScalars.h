@@ -52,7 +52,7 @@ struct vtkIsosurfaceRayTraceScalars
 
   /// The values, which have no problem. What is no plain array in memory is copied to storage: the
   /// component, or all if they are needed.
-  View MakeView(vtkSmartPointer<vtkDataArray>& storage) const;
+  View MakeView(vtkSmartPointer<vtkDataArray>& storage, int threads) const;
 
   vtkDataArray* Array = nullptr;
   bool AreOfCells = false;

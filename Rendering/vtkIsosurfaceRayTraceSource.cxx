@@ -81,7 +81,7 @@ std::string vtkIsosurfaceRayTraceSource::FindProblemOfSize(vtkDataSet* grid, boo
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
   const vtkIsosurfaceRayTraceScalars& selection, const vtkirt::ImageSettings& settings,
-  const std::string& cacheDirectory)
+  const std::string& cacheDirectory, int threads)
 {
   vtkDataArray* scalars = selection.Array;
   Key key;
@@ -128,19 +128,20 @@ bool vtkIsosurfaceRayTraceSource::Update(vtkDataSet* grid,
   this->AtCoarse = false;
   this->Coarse.reset(); // Their memory first.
   this->Field.reset();
-  this->MakeField(selection, cacheDirectory, key);
+  this->MakeField(selection, cacheDirectory, key, threads);
   this->Field->SetPlanes(this->Geometry.GetPlanes());
   this->Built = std::make_unique<Key>(key);
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceSource::MakeField(
-  const vtkIsosurfaceRayTraceScalars& selection, const std::string& cacheDirectory, const Key& key)
+void vtkIsosurfaceRayTraceSource::MakeField(const vtkIsosurfaceRayTraceScalars& selection,
+  const std::string& cacheDirectory, const Key& key, int threads)
 {
   this->Cache.reset();
   this->CacheProblem.clear();
-  const vtkIsosurfaceRayTraceScalars::View samples = selection.MakeView(this->PlainScalars);
+  const vtkIsosurfaceRayTraceScalars::View samples =
+    selection.MakeView(this->PlainScalars, threads);
   vtkirt::VolumeView& view = this->View;
   view.Type = samples.Type;
   view.Samples = samples.Values;

@@ -46,7 +46,8 @@ public:
   /// whether it had to be made: then its samples are still to be read. Where they are in a file,
   /// macrocells are kept in a directory and taken from there, unless it has no name.
   bool Update(vtkDataSet* grid, const vtkIsosurfaceRayTraceScalars& selection,
-    const vtkIsosurfaceRayTracing::ImageSettings& settings, const std::string& cacheDirectory);
+    const vtkIsosurfaceRayTracing::ImageSettings& settings, const std::string& cacheDirectory,
+    int threads);
 
   /// Selects the field, after Update. Where that is a coarse level which is not complete, reads
   /// more of it: samples must be intact. Returns whether the field is another.
@@ -109,7 +110,7 @@ private:
   void UpdateHiddenCells(vtkDataSet* grid, bool areOfCells);
   const unsigned char* GetHiddenCellsOfSamples() const;
   void MakeField(const vtkIsosurfaceRayTraceScalars& selection, const std::string& cacheDirectory,
-    const Key& key);
+    const Key& key, int threads);
 
   /// The cell of the samples that a hit is in.
   vtkIsosurfaceRayTracing::Index3 FindCellOfSamples(
