@@ -95,6 +95,7 @@ void BeamTracer::PlaceRays()
 /// pixels.
 bool BeamTracer::AreFarApart(const MeshSelection& selection, const BeamFrame& frame)
 {
+  constexpr double mostTetrahedra = 6.0;
   double extent[2];
   for (int k = 0; k < 2; ++k)
   {
@@ -104,7 +105,7 @@ bool BeamTracer::AreFarApart(const MeshSelection& selection, const BeamFrame& fr
         static_cast<double>(this->Rays.LowerOfAll[k]));
   }
   return MeshBeam::AreFarApart(
-    selection, extent[0], extent[1], CountOf(this->Solver.GetFramed().InBeam));
+    selection, extent[0], extent[1], CountOf(this->Solver.GetFramed().InBeam), mostTetrahedra);
 }
 
 //------------------------------------------------------------------------------

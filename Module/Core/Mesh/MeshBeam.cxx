@@ -47,8 +47,9 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& rays, cons
   BeamProjection projection = this->Frame.GetProjection();
   projection.Begin = this->Frame.FindBegin(rays, some);
   // Rays to a point within the mesh would have no labels there.
+  constexpr double mostTetrahedra = 4.0;
   const double width = this->Frame.GetWidth();
-  this->HasFrame = !AreFarApart(selection, width, width, CountOf(some)) &&
+  this->HasFrame = !AreFarApart(selection, width, width, CountOf(some), mostTetrahedra) &&
     this->Frame.HasLabelsFrom(projection.Begin);
   if (this->HasFrame)
   {
@@ -57,10 +58,10 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& rays, cons
 }
 
 //------------------------------------------------------------------------------
-bool MeshBeam::AreFarApart(const MeshSelection& selection, double width, double height, int count)
+bool MeshBeam::AreFarApart(
+  const MeshSelection& selection, double width, double height, int count, double mostTetrahedra)
 {
-  // A beam takes longer for a trilinear cell than for a tetrahedron, a ray by itself does not.
-  const double mostCellsOfRay = selection.Cells->AreTetrahedra() ? 6.0 : 0.5;
+  const double mostCellsOfRay = selection.Cells->AreTetrahedra() ? mostTetrahedra : 0.5;
   const double size = selection.CellSize;
   return !((width / size + 1.0) * (height / size + 1.0) < mostCellsOfRay * count);
 }

@@ -33,8 +33,10 @@ public:
   void Begin(const MeshSelection& selection, const RayPacket& rays, const RaySet& some);
 
   /// Whether so many rays, in a rectangle, are so far from each other that they have little in
-  /// common: of the cells between them most are met by none.
-  static bool AreFarApart(const MeshSelection& selection, double width, double height, int count);
+  /// common: of the cells between them most are met by none. That is when a ray has more than some
+  /// tetrahedra to itself, or half a trilinear cell, for which a beam takes longer.
+  static bool AreFarApart(
+    const MeshSelection& selection, double width, double height, int count, double mostTetrahedra);
 
   /// Ends without beginning anew: there is no frame.
   void End() { this->HasFrame = false; }
