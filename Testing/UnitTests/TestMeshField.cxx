@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -175,6 +176,43 @@ TEST(MeshField, SeveralSurfacesAreThoseOfEach)
       ASSERT_EQ(count, std::min<std::size_t>(each.First[ray + 1] - each.First[ray], 1));
       ASSERT_TRUE(count == 0 || AreSame(first.Hits[first.First[ray]], each.Hits[each.First[ray]]));
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The time to trace a tetrahedron that is there so many times, from corner to face.
+std::clock_t FindTimeOfCopies(int copies, double opacity)
+{
+  TestMesh mesh;
+  mesh.AddPoint({ 0.0, 0.0, 0.0 }, 0.0);
+  mesh.AddPoint({ 1.0, 0.0, 0.0 }, 1.0);
+  mesh.AddPoint({ 0.0, 1.0, 0.0 }, 1.0);
+  mesh.AddPoint({ 0.0, 0.0, 1.0 }, 1.0);
+  for (int i = 0; i < copies; ++i)
+  {
+    mesh.AddCell(CellShape::Tetrahedron, { 0, 1, 2, 3 });
+  }
+  MeshField field(mesh.View(), 1);
+  field.Select(TraceRequest({ { 0.5, opacity } }), { 1 });
+  const std::vector<CastRay> rays(
+    100, { { -1.0, -1.0, -1.0 }, { 1.0, 1.125, 1.0625 }, 0.0, Infinite });
+  std::clock_t least = std::numeric_limits<std::clock_t>::max();
+  for (int repetition = 0; repetition < 3; ++repetition)
+  {
+    const std::clock_t begin = std::clock();
+    const RayHits hits = CastRays(field, rays, 1);
+    least = std::min(least, std::clock() - begin);
+    EXPECT_GE(hits.Hits.size(), rays.size());
+  }
+  return std::max<std::clock_t>(least, 1);
+}
+
+TEST(MeshField, CellsAtOnePlaceTakeTimeByTheirNumber)
+{
+  for (const double opacity : { 1.0, Glass })
+  {
+    // 16 times as many: by their square it would be 256 times as long.
+    EXPECT_LT(FindTimeOfCopies(8000, opacity) / FindTimeOfCopies(500, opacity), 80) << opacity;
   }
 }
 

@@ -46,6 +46,11 @@ bool AreTogether(const Hit& a, const Hit& b)
 template <typename Iterator, typename Predicate>
 void TakeTurns(Iterator first, Iterator last, const Predicate& mayBeFirst)
 {
+  // Where many hits are at one place, those before the end of a search are no use to the next
+  // alike.
+  Iterator searched = first;
+  int surface = Hit::NoSurface;
+  bool entering = false;
   for (Iterator hit = first; hit != last; ++hit)
   {
     const auto isSame = [hit](const Hit& other) { return other.Surface == hit->Surface; };
@@ -57,12 +62,15 @@ void TakeTurns(Iterator first, Iterator last, const Predicate& mayBeFirst)
     {
       continue;
     }
-    const auto other = std::find_if(hit, last,
+    const bool isAlike = hit->Surface == surface && hit->Entering == entering;
+    surface = hit->Surface;
+    entering = hit->Entering;
+    searched = std::find_if(isAlike ? std::max(hit, searched) : hit, last,
       [hit, &isSame](const Hit& next)
       { return isSame(next) && (next.Entering != hit->Entering || !AreTogether(*hit, next)); });
-    if (other != last && AreTogether(*hit, *other))
+    if (searched != last && AreTogether(*hit, *searched))
     {
-      std::swap(*hit, *other);
+      std::swap(*hit, *searched);
     }
   }
 }

@@ -140,14 +140,14 @@ void PairSolver::KeepHits(const MeshSelection& selection, HitsOfRays& hits)
     }
     Hit& hit = hits.Add(ray);
     this->MakeHit(pair, part.Base, hit);
-    if (KeepHit(selection, hit, pairs.T[pair], part))
+    if (!KeepHit(selection, hit, pairs.T[pair], part))
+    {
+      hits.Remove(ray);
+    }
+    else if (part.End < this->Ends[ray])
     {
       this->Ends[ray] = part.End;
       hits.RemoveBeyond(ray, part.Base + part.End);
-    }
-    else
-    {
-      hits.Remove(ray);
     }
   }
   for (std::uint64_t left = pairs.Extreme; left != 0; left &= left - 1)
