@@ -35,6 +35,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceFrame
   Rendering/vtkIsosurfaceRayTraceGeometry
   Rendering/vtkIsosurfaceRayTraceGhosts
+  Rendering/vtkIsosurfaceRayTraceGridLists
   Rendering/vtkIsosurfaceRayTraceGridPart
   Rendering/vtkIsosurfaceRayTraceHints
   Rendering/vtkIsosurfaceRayTraceHits

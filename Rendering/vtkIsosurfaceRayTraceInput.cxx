@@ -148,8 +148,8 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
   {
     return problem;
   }
-  const bool isSameChoice =
-    scalars.Component == this->Component && settings.Image == this->ImageSettings;
+  const bool isSameChoice = scalars.Component == this->Component &&
+    scalars.HasOthers == this->HasOtherComponents && settings.Image == this->ImageSettings;
   // Thousands of blocks are not put in order again for every frame.
   const bool areSameParts = this->AreSameLeaves && this->ArePartsKept && isSameChoice &&
     this->ArePartsIntact(settings.Threads);
@@ -163,9 +163,14 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
     {
       return problem;
     }
+    // Coordinates of rectilinear grids are modified by themselves.
     this->ArePartsKept = std::all_of(this->Leaves.Get().begin(), this->Leaves.Get().end(),
-      [](const Leaf& leaf) { return vtkImageData::SafeDownCast(leaf.Data); });
+      [](const Leaf& leaf) {
+        return vtkImageData::SafeDownCast(leaf.Data) ||
+          vtkIsosurfaceRayTraceMesh::IsMesh(leaf.Data);
+      });
     this->Component = scalars.Component;
+    this->HasOtherComponents = scalars.HasOthers;
     this->ImageSettings = settings.Image;
   }
   if (settings.Cropping)
@@ -503,6 +508,10 @@ void vtkIsosurfaceRayTraceInput::ReadSlab(int threads)
   }
   Part& part = *this->UnreadParts.back();
   part.ReadSlab(threads);
+  if (this->Set)
+  {
+    this->Set->Forget();
+  }
   if (part.GetFractionRead() == 1.0)
   {
     this->UnreadParts.pop_back();

@@ -245,6 +245,7 @@ private:
   /// Those of the parts that are kept; else null.
   std::shared_ptr<const std::vector<vtkSmartPointer<vtkObject>>> Objects;
   int Component = 0;
+  bool HasOtherComponents = false;
   vtkIsosurfaceRayTracing::ImageSettings ImageSettings;
   int PropertyComponent = 0;
   vtkIsosurfaceRayTraceClouds::Components CloudComponents;

@@ -3,6 +3,7 @@
 #include "vtkIsosurfaceRayTraceMesh.h"
 
 #include "vtkIsosurfaceRayTraceGhosts.h"
+#include "vtkIsosurfaceRayTraceGridLists.h"
 #include "vtkIsosurfaceRayTracePolyhedron.h"
 #include "vtkIsosurfaceRayTraceSubdivision.h"
 
@@ -25,7 +26,6 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVersionMacros.h"
 
 #include "Mesh/ShapeFunctions.h"
 
@@ -43,6 +43,8 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 
 namespace
 {
+
+using Lists = vtkIsosurfaceRayTraceGridLists;
 
 using vtkirt::CellShape;
 
@@ -64,23 +66,12 @@ bool IsSolid(int type)
   return cell && cell->GetCellDimension() == 3;
 }
 
-/// The types of all cells of a grid; null if there are none. From VTK 9.6 on they may be an array
-/// that has no memory of its own, which GetVoidPointer makes a copy of.
-vtkDataArray* GetTypes(vtkUnstructuredGrid* grid)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-  return grid->GetCellTypes();
-#else
-  return grid->GetCellTypesArray();
-#endif
-}
-
 /// Whether a grid has cells of a type that is asked for. (VTK's list of the types that a grid has
 /// is made by a look at all cells, always.)
 template <typename Predicate>
 bool HasType(vtkUnstructuredGrid* grid, const Predicate& isAskedFor)
 {
-  const auto* type = static_cast<const unsigned char*>(GetTypes(grid)->GetVoidPointer(0));
+  const auto* type = static_cast<const unsigned char*>(Lists::GetTypes(grid)->GetVoidPointer(0));
   const unsigned char* last = type + grid->GetNumberOfCells();
   bool isKnown[256] = {};
   while (type != last)
@@ -99,7 +90,7 @@ bool HasType(vtkUnstructuredGrid* grid, const Predicate& isAskedFor)
 /// Whether every cell of a grid has a type.
 bool HasAllTypes(vtkUnstructuredGrid* grid)
 {
-  const vtkDataArray* types = GetTypes(grid);
+  const vtkDataArray* types = Lists::GetTypes(grid);
   return types && types->GetNumberOfValues() >= grid->GetNumberOfCells();
 }
 
@@ -111,13 +102,6 @@ std::optional<vtkirt::ScalarType> FindIdType(vtkDataArray* ids)
     return std::nullopt;
   }
   return ids->GetDataTypeSize() == 8 ? vtkirt::ScalarType::Int64 : vtkirt::ScalarType::Int32;
-}
-
-/// The memory of the points, where they are read where they are.
-const void* FindPoints(vtkPointSet* grid)
-{
-  vtkDataArray* points = grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr;
-  return points && points->HasStandardMemoryLayout() ? points->GetVoidPointer(0) : nullptr;
 }
 
 /// VTK 9.1 evaluates Bezier cells in memory that all threads have in common.
@@ -152,7 +136,7 @@ std::vector<vtkObject*> FindParts(vtkPointSet* grid, vtkDataArray* scalars)
     grid->GetPointGhostArray() };
   if (auto* listed = vtkUnstructuredGrid::SafeDownCast(grid))
   {
-    parts.insert(parts.end(), { listed->GetCells(), GetTypes(listed) });
+    parts.insert(parts.end(), { listed->GetCells(), Lists::GetTypes(listed) });
   }
   return parts;
 }
@@ -166,7 +150,7 @@ struct vtkIsosurfaceRayTraceMesh::Key
   Key(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized)
     : Grid(grid)
     , GridTime(FindOwnTime(grid))
-    , Points(FindPoints(grid))
+    , Points(Lists::FindPoints(grid))
     , AreOfCells(scalars.AreOfCells)
     , Component(scalars.Component)
     , HasOthers(scalars.HasOthers)
@@ -324,7 +308,7 @@ std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* gr
 void vtkIsosurfaceRayTraceMesh::ViewCells(vtkUnstructuredGrid* grid)
 {
   this->View.NumberOfCells = grid->GetNumberOfCells();
-  this->View.Shapes = static_cast<const unsigned char*>(this->Read(GetTypes(grid)));
+  this->View.Shapes = static_cast<const unsigned char*>(this->Read(Lists::GetTypes(grid)));
   vtkCellArray* cells = grid->GetCells();
   vtkDataArray* offsets = cells->GetOffsetsArray();
   vtkDataArray* connectivity = cells->GetConnectivityArray();

@@ -11,6 +11,7 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
 #include "vtkUniformGridAMR.h"
 #include "vtkUnstructuredGrid.h"
@@ -38,6 +39,15 @@ vtkMTimeType GetTime(vtkDataObject* block)
   return block->GetDataObjectType() == VTK_UNSTRUCTURED_GRID
     ? std::max(time, static_cast<vtkUnstructuredGrid*>(block)->GetMeshMTime())
     : time;
+}
+
+/// The lists of a block that is a mesh; else none.
+vtkIsosurfaceRayTraceGridLists FindLists(vtkDataObject* block)
+{
+  const int type = block->GetDataObjectType();
+  return type == VTK_UNSTRUCTURED_GRID || type == VTK_STRUCTURED_GRID
+    ? vtkIsosurfaceRayTraceGridLists(static_cast<vtkPointSet*>(block))
+    : vtkIsosurfaceRayTraceGridLists{};
 }
 
 /// When a tree itself was modified, whatever became of what is in it.
@@ -80,7 +90,8 @@ vtkIsosurfaceRayTraceSnapshot::vtkIsosurfaceRayTraceSnapshot(
 vtkIsosurfaceRayTraceSnapshot::Block vtkIsosurfaceRayTraceSnapshot::MakeBlock(
   vtkDataObject* data, unsigned int flatIndex)
 {
-  Block block = { { data, flatIndex, GetTime(data) }, { data, data->GetFieldData() } };
+  Block block = { { data, flatIndex, GetTime(data) }, FindLists(data),
+    { data, data->GetFieldData() } };
   if (auto* set = vtkDataSet::SafeDownCast(data))
   {
     vtkPointData* points = set->GetPointData();
@@ -88,6 +99,12 @@ vtkIsosurfaceRayTraceSnapshot::Block vtkIsosurfaceRayTraceSnapshot::MakeBlock(
     block.Parts[3] = points->GetAbstractArray(0);
     block.Parts[4] = set->GetCellData();
     block.Parts[5] = set->GetCellData()->GetAbstractArray(0);
+    block.Parts[6] = block.Lists.Cells;
+    block.Parts[7] = block.Lists.Types;
+  }
+  if (auto* mesh = vtkPointSet::SafeDownCast(data))
+  {
+    block.Parts[8] = mesh->GetPoints();
   }
   return block;
 }
@@ -141,8 +158,9 @@ bool vtkIsosurfaceRayTraceSnapshot::AreBlocksUnmodified(int threads) const
     {
       vtkIsosurfaceRayTracing::PrefetchLines(part, sizeOfPart);
     }
-    const Node& block = this->Blocks[static_cast<std::size_t>(i)];
-    areUnmodified = areUnmodified && GetTime(block.Data) == block.Time;
+    const Block& block = this->Blocks[static_cast<std::size_t>(i)];
+    areUnmodified =
+      areUnmodified && GetTime(block.Data) == block.Time && FindLists(block.Data) == block.Lists;
   }
   return areUnmodified;
 }

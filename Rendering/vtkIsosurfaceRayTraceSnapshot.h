@@ -7,8 +7,9 @@
 #ifndef vtkIsosurfaceRayTraceSnapshot_h
 #define vtkIsosurfaceRayTraceSnapshot_h
 
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkType.h"                       // for vtkMTimeType
+#include "vtkIsosurfaceRayTraceGridLists.h" // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"  // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkType.h"                        // for vtkMTimeType
 
 #include <vector> // for std::vector
 
@@ -44,7 +45,8 @@ private:
   /// may be gone.
   struct Block : Node
   {
-    const void* Parts[6];
+    vtkIsosurfaceRayTraceGridLists Lists;
+    const void* Parts[9];
   };
 
   static Block MakeBlock(vtkDataObject* data, unsigned int flatIndex);

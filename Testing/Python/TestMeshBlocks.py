@@ -403,6 +403,23 @@ class TestMeshBlocks(unittest.TestCase):
         self.assertEqual(again, fresh)
         self.assertNotEqual(again, before)
 
+    def test_cells_that_are_set_in_a_block_may_be_older(self):
+        """No time tells that."""
+        grid, fewer = make_grid(VTK_TETRA, ball), make_grid(VTK_TETRA, ball)
+        cells, types = vtkCellArray(), vtkUnsignedCharArray()
+        cells.DeepCopy(fewer.GetCells())
+        cells.ResizeExact(fewer.GetNumberOfCells() - 10, 4 * (fewer.GetNumberOfCells() - 10))
+        types.DeepCopy(fewer.GetCellTypesArray())
+        types.Resize(fewer.GetNumberOfCells() - 10)
+        grid.Modified()
+        composite = multi_block(grid, make_grid(VTK_TETRA, lambda point: ball(point) + 0.2))
+        mapper, volume = make_volume(composite, 0.5)
+        before = cast(mapper, volume, parallel_rays())
+        grid.SetCells(types, cells)
+        again, fresh = cast(mapper, volume, parallel_rays()), cast(*make_volume(composite, 0.5), parallel_rays())
+        self.assertEqual(again, fresh)
+        self.assertNotEqual(again, before)
+
     def test_accumulation_starts_again_when_a_block_changes(self):
         blocks = cut(make_structured_grid(ball))
         scene = Scene(multi_block(*blocks), 0.5)

@@ -363,9 +363,14 @@ void FieldSet::Select(
       this->DepthsOfCaps.push_back(half.IsCapped ? this->FindDepthOfCaps(half) : 0.0);
     }
   }
+  this->GradientSeconds = 0.0;
   for (const std::size_t number : this->Eager)
   {
-    this->SelectMember(number, execution);
+    if (!this->IsSelected(number))
+    {
+      this->SelectMember(number, execution);
+      this->GradientSeconds += this->Members[number].Field->GetGradientSeconds();
+    }
   }
   this->IsSelectionKnown = true;
 }
@@ -1026,18 +1031,6 @@ FieldStatistics FieldSet::GetStatistics() const
     }
   }
   return all;
-}
-
-//------------------------------------------------------------------------------
-/// Members that are selected by a ray have no such gradients.
-double FieldSet::GetGradientSeconds() const
-{
-  double sum = 0.0;
-  for (const std::size_t number : this->Eager)
-  {
-    sum += this->Members[number].Field->GetGradientSeconds();
-  }
-  return sum;
 }
 
 }

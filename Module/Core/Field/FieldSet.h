@@ -111,7 +111,8 @@ public:
   void GetPointsAndGradients(const Hit* hits, int count, NormalMode mode,
     double (*points)[RayPacket::Capacity], double (*gradients)[RayPacket::Capacity]) const override;
   FieldStatistics GetStatistics() const override;
-  double GetGradientSeconds() const override;
+  /// Members that are selected by a ray have no such gradients.
+  double GetGradientSeconds() const override { return this->GradientSeconds; }
 
 private:
   static constexpr int PacketsAtOnce = 8;
@@ -160,6 +161,7 @@ private:
   const Kernels* PacketKernels = nullptr;
   MemoryBudget Budget;
   double MemoryShares = 0.0;
+  double GradientSeconds = 0.0;
   /// The number of the selection; members that have another are to be selected before they are
   /// traced.
   unsigned int Selection = 0;
