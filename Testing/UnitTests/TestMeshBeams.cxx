@@ -252,6 +252,27 @@ TEST_P(MeshBeams, HitWhatTheirRaysHitFromWithin)
 }
 
 //------------------------------------------------------------------------------
+/// Most pieces are beside the camera, of cells that are a thousand times as long as wide.
+TEST_P(MeshBeams, HitWhatTheirRaysHitInLongCells)
+{
+  const Matrix4 toMiddle = Translation({ -10.3, -10.2, -9810.1 });
+  const Matrix4 clipFromObject = Multiply(Perspective(1e-3, 1e5, 1.0), toMiddle);
+  const Camera camera(
+    clipFromObject, Invert(clipFromObject), Translation({ 0.0, 0.0, 0.0 }), Edge, Edge);
+  for (const Cutting cutting : { Cutting::Tetrahedra, Cutting::Hexahedra })
+  {
+    RandomNumbers random(33);
+    TestMesh mesh = MakeMesh(random, { 20, 20, 20 }, cutting, 0.0,
+      [&random](const Index3& p) { return NoisyWaves(random, p); });
+    for (std::size_t i = 2; i < mesh.Points.size(); i += 3)
+    {
+      mesh.Points[i] *= 1000.0;
+    }
+    EXPECT_GT(this->Compare(mesh.View(), TraceRequest({ { 0.9, 1.0 } }), { camera }), 2000U);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST_P(MeshBeams, MayHaveTilesOfAnySize)
 {
   RandomNumbers random(21);

@@ -239,6 +239,8 @@ struct BeamPieces
   static constexpr int Lines = 4;
 
   int Count;
+  /// Pieces that may have any label are counted here.
+  int AnyLabel;
   LabelBounds Bounds;
   /// The piece is where Line[i][0] * a + Line[i][1] * b + Line[i][2] >= 0.
   alignas(64) float Line[Lines][3][Capacity];

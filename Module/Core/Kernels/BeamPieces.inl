@@ -249,6 +249,7 @@ SIMD_INLINE void StoreLine(Floats a, Floats b, Floats c, int line, int first, Be
 SIMD_INLINE void OpenUnbounded(unsigned int unbounded, int first, BeamPieces& pieces)
 {
   constexpr float largest = std::numeric_limits<float>::max();
+  pieces.AnyLabel += CountBits(unbounded);
   for (; unbounded != 0; unbounded &= unbounded - 1)
   {
     const int i = first + LowestBit(unbounded);
@@ -268,6 +269,7 @@ SIMD_INLINE void OpenUnbounded(unsigned int unbounded, int first, BeamPieces& pi
 /// Bounds pieces that no ray of the beam meets.
 SIMD_INLINE void Close(unsigned int outside, int first, BeamPieces& pieces)
 {
+  pieces.AnyLabel -= CountBits(outside);
   for (; outside != 0; outside &= outside - 1)
   {
     const int i = first + LowestBit(outside);

@@ -41,6 +41,11 @@ RaySet BeamTracer::Trace(const MeshSelection& selection, const RayPacket& packet
         beam.Forget();
       }
       const int set = beam.Load(selection, first + static_cast<std::size_t>(LowestBit(passed)));
+      if (beam.IsInAll())
+      {
+        beam.End();
+        return {};
+      }
       selection.PacketKernels->FindPairs(
         beam.GetPieces(set), set * BeamPieces::Capacity, this->Rays, this->Pairs);
       if (this->Pairs.Count >= BeamPairs::Batch ||

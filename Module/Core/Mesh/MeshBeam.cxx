@@ -72,6 +72,7 @@ bool MeshBeam::FindFrame(const MeshSelection& selection, const RayPacket& lines,
   this->Nodes.Clear();
   this->Sets.clear();
   this->NumberOfSeen = 0;
+  this->AnyLabel = 0;
   this->HasFrame = selection.Tree->GetNumberOfLevels() > 0 && selection.PacketKernels &&
     this->Frame.Find(lines, some, selection.Tree->GetBounds());
   return this->HasFrame;
@@ -204,6 +205,7 @@ int MeshBeam::Load(const MeshSelection& selection, std::size_t set)
   }
   SeenPieces& seen = this->Seen[static_cast<std::size_t>(loaded.Seen)];
   seen.Set = set;
+  seen.Pieces.AnyLabel = 0;
   if (loaded.Packed->AreInTetrahedra)
   {
     selection.PacketKernels->BoundPackedPieces(
@@ -217,6 +219,7 @@ int MeshBeam::Load(const MeshSelection& selection, std::size_t set)
   {
     this->BoundTrilinear(selection, loaded, seen.Pieces);
   }
+  this->AnyLabel += seen.Pieces.AnyLabel;
   return loaded.Seen;
 }
 
@@ -241,6 +244,7 @@ void MeshBeam::Forget()
     this->Sets[this->GetSeen(i).Set].Seen = NotSeen;
   }
   this->NumberOfSeen = 0;
+  this->AnyLabel = 0;
 }
 
 }

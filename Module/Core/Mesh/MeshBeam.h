@@ -73,6 +73,10 @@ public:
   /// pieces: this is that of the first, divided by it.
   int Load(const MeshSelection& selection, std::size_t set);
 
+  /// Whether rays of the beam have too little in common: many pieces reach behind the point where
+  /// the rays meet, as in a mesh of long cells that the camera is in. Any ray may meet these.
+  bool IsInAll() const { return this->AnyLabel > MaximumAnyLabel; }
+
   /// Whether there are so many that they should be forgotten before further ones are loaded.
   bool IsFull() const { return this->NumberOfSeen >= MaximumSeen; }
   void Forget();
@@ -91,6 +95,8 @@ public:
 private:
   /// Some 2.5 MB for each thread.
   static constexpr int MaximumSeen = 2048;
+  /// Of pieces that have, to be tried with each ray.
+  static constexpr int MaximumAnyLabel = 256;
   static constexpr int NotSeen = -1;
 
   /// Pieces of a surface in a leaf.
@@ -131,6 +137,8 @@ private:
   /// Those in use are the first: the memory is kept from beam to beam.
   std::vector<SeenPieces> Seen;
   int NumberOfSeen = 0;
+  /// Of these, the pieces that may have any label.
+  int AnyLabel = 0;
   TrilinearHulls Hulls;
 };
 
