@@ -52,6 +52,15 @@ struct Image
   }
 };
 
+/// What the window of a scene shows.
+Image MakePicture(const Scene& scene)
+{
+  Image picture;
+  scene.Mapper->RenderToImage(scene.Volume, scene.Renderer->GetActiveCamera(),
+    scene.Renderer->GetLights(), Size, Size, picture.Output);
+  return picture;
+}
+
 /// A ball that is moved and turned, and cut by a plane.
 void Furnish(Scene& scene)
 {
@@ -194,9 +203,7 @@ void CheckPicker(Checks& check)
   scene.LookFrom(1.0, -2.0, 0.8);
   scene.Renderer->ResetCamera();
   scene.Window->Render();
-  Image picture;
-  scene.Mapper->RenderToImage(scene.Volume, scene.Renderer->GetActiveCamera(),
-    scene.Renderer->GetLights(), Size, Size, picture.Output);
+  Image picture = MakePicture(scene);
   vtkNew<vtkIsosurfacePicker> picker;
   int hits = 0;
   int wrong = 0;
@@ -299,9 +306,7 @@ void CheckBorders(Checks& check)
     scene.Renderer->GetActiveCamera()->Roll(10.0);
     scene.Renderer->ResetCamera();
     scene.Window->Render();
-    Image picture;
-    scene.Mapper->RenderToImage(scene.Volume, scene.Renderer->GetActiveCamera(),
-      scene.Renderer->GetLights(), Size, Size, picture.Output);
+    Image picture = MakePicture(scene);
     vtkNew<vtkIsosurfacePicker> picker;
     int wrong = 0;
     for (int i = 0; i < Size * Size; ++i)
@@ -316,9 +321,7 @@ void CheckBorders(Checks& check)
 
 std::set<vtkIdType> GetCells(Scene& scene)
 {
-  Image picture;
-  scene.Mapper->RenderToImage(
-    scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture.Output);
+  Image picture = MakePicture(scene);
   auto* cells = picture.Get<vtkIdTypeArray>("CellId");
   std::set<vtkIdType> ids(cells->GetPointer(0), cells->GetPointer(0) + Size * Size);
   ids.erase(-1);
@@ -328,9 +331,7 @@ std::set<vtkIdType> GetCells(Scene& scene)
 /// The points of an image that are nearest to what is visible.
 std::set<vtkIdType> GetNearestPoints(Scene& scene, vtkImageData* image)
 {
-  Image picture;
-  scene.Mapper->RenderToImage(
-    scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture.Output);
+  Image picture = MakePicture(scene);
   vtkNew<vtkMatrix4x4> dataFromWorld;
   vtkMatrix4x4::Invert(scene.Volume->GetMatrix(), dataFromWorld);
   std::set<vtkIdType> ids;
@@ -407,9 +408,7 @@ void CheckSelectedPixels(Checks& check)
       scene.Mapper->SetBlendModeToMaximumIntensity();
       scene.Property()->GetScalarOpacity()->AddPoint(-0.1, 0.0); // nothing but the ball
     }
-    Image picture;
-    scene.Mapper->RenderToImage(
-      scene.Volume, scene.Renderer->GetActiveCamera(), nullptr, Size, Size, picture.Output);
+    Image picture = MakePicture(scene);
     int shown = 0;
     for (int i = 0; i < Size * Size; ++i)
     {

@@ -555,6 +555,15 @@ class TestManyGrids(unittest.TestCase):
         attributes.SetBlockVisibility(composite, True)
         self.assertEqual(self.draw(mapper, volume), before)
 
+    def make_picture(self, mapper, volume):
+        camera = vtkRenderer().MakeCamera()
+        camera.SetPosition(3, 3, -30)
+        camera.SetFocalPoint(3, 3, 0)
+        camera.SetClippingRange(10, 50)
+        image = vtkImageData()
+        self.assertTrue(mapper.RenderToImage(volume, camera, None, PIXELS, PIXELS, image))
+        return image
+
     def make_two_volumes(self, mapper_class, opacity=0.01):
         """An image and a mesh, each with isovalues, colours and a matrix of its own; and each alone."""
         data = [make_image((0.3, 0.2, 0.1), (0.41, 0.37, 0.43), 13, ball), make_grid(VTK_TETRA, plane)]
@@ -697,12 +706,7 @@ class TestManyGrids(unittest.TestCase):
             mapper.AddInputConnection(0, producer.GetOutputPort())
             mapper.SetConnectionVolume(i, vtkVolume())
         mapper.GetConnectionVolume(0).VisibilityOff()
-        camera = vtkRenderer().MakeCamera()
-        camera.SetPosition(3, 3, -30)
-        camera.SetFocalPoint(3, 3, 0)
-        camera.SetClippingRange(10, 50)
-        image = vtkImageData()
-        self.assertTrue(mapper.RenderToImage(volume, camera, None, PIXELS, PIXELS, image))
+        image = self.make_picture(mapper, volume)
         lowest, highest = image.GetPointData().GetArray("Value").GetFiniteRange()
         self.assertGreaterEqual(lowest, 10.0)
         self.assertLessEqual(highest, 16.0)
@@ -712,12 +716,7 @@ class TestManyGrids(unittest.TestCase):
         mapper, volume, _, data = self.make_two_volumes(vtkIsosurfaceRayTraceMeshMapper, 1.0)
         for i in (0, 1):
             mapper.GetConnectionVolume(i).GetProperty().ShadeOff()
-        camera = vtkRenderer().MakeCamera()
-        camera.SetPosition(3, 3, -30)
-        camera.SetFocalPoint(3, 3, 0)
-        camera.SetClippingRange(10, 50)
-        image = vtkImageData()
-        self.assertTrue(mapper.RenderToImage(volume, camera, None, PIXELS, PIXELS, image))
+        image = self.make_picture(mapper, volume)
         in_block, flat_index = mutable(0), mutable(0)
         seen = set()
         for pixel in range(PIXELS**2):
