@@ -16,7 +16,10 @@ set(core_sources
   Image/CoarseLevel.cxx
   Image/ImageField.cxx
   Image/Samples/FilePages.cxx
+  Image/Tracers/AllHitsTracer.cxx
+  Image/Tracers/CandidateTracer.cxx
   Image/Tracers/RootTracing.cxx
+  Image/Tracers/StopTracer.cxx
   Image/Tracers/SurfaceTracer.cxx
   Image/Traversal/Caps.cxx
   Image/Traversal/CellQueueTracer.cxx

@@ -433,8 +433,9 @@ TEST_P(PacketTracing, HitWhatSingleRaysHitBetweenUnevenPlanes)
       {
         const auto volume = Islands<std::int16_t>(random, size, percent);
         const auto traced = ImageField::New(volume.View(), RandomSettings(random), 1);
-        for (const std::vector<Isosurface>& surfaces : { std::vector<Isosurface>{ { 49.5, 1.0 } },
-               { { 77.3, 1.0 } }, { { 20.0, 0.3 }, { 50.0, 1.0 } } })
+        for (const std::vector<Isosurface>& surfaces :
+          { std::vector<Isosurface>{ { 49.5, 1.0 } }, { { 77.3, 1.0 } }, { { 49.5, 0.1 } },
+            { { 20.0, 0.3 }, { 50.0, 1.0 } }, { { 49.5, 1.0 }, { 50.0, 1.0 } } })
         {
           TestRequest request(surfaces);
           request.Planes = &planes;
@@ -635,7 +636,10 @@ const std::vector<std::vector<Isosurface>> SetsOfSurfaces = { { { 49.5, 1.0 } },
   { { 20.0, 1.0 }, { 50.0, 1.0 } }, { { 20.0, 0.1 }, { 49.5, 0.2 }, { 50.0, 0.01 }, { 77.3, 0.9 } },
   { { 1e9, 1.0 } }, { { 50.0, 1.0 }, { 1e9, 1.0 } }, { { -1e300, 0.5 }, { 50.0, 0.5 } },
   { { -Infinity, 0.5 }, { 50.0, 0.5 }, { 32768.0, 0.5 }, { Infinity, 0.5 } },
-  { { 50.0, 0.5 }, { std::nan(""), 0.5 } } };
+  { { 50.0, 0.5 }, { std::nan(""), 0.5 } },
+  // In the same cells, and where samples are.
+  { { 49.99999999, 0.2 }, { 50.0, 0.3 }, { 50.0, 0.1 }, { 50.00000001, 0.2 } },
+  { { 49.5, 0.2 }, { 50.0, 1.0 }, { 50.5, 0.2 } } };
 
 template <typename T>
 void CheckAllSolvers(RandomNumbers& random, PacketChecks& checks)
@@ -786,6 +790,8 @@ TEST_P(PacketTracing, HitWhatSingleRaysHitInSamplesOfAllMagnitudes)
     {
       ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, OpaqueSurface(isovalue), 1));
     }
+    const TestRequest several({ { -1e100, 0.2 }, { 0.0, 0.1 }, { 1e-100, 0.2 }, { 1e300, 0.1 } });
+    ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, several, 1));
   }
   EXPECT_GT(checks.GetNumberOfHits(), 8000U);
 }

@@ -153,6 +153,9 @@ TEST_P(Transmittance, OfSeveralOpaqueSurfaces)
   const auto field =
     NewTraced(volume, this->NewRequest({ { -180.0, 1.0 }, { 40.0, 1.0 }, { 150.5, 1.0 } }));
   this->Check(*field, 13);
+  const auto near =
+    NewTraced(volume, this->NewRequest({ { 40.0, 1.0 }, { 40.0001, 1.0 }, { 41.0, 1.0 } }));
+  this->Check(*near, 20);
 }
 
 //------------------------------------------------------------------------------

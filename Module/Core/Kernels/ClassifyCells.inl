@@ -407,5 +407,26 @@ void ClassifyCells(const PassedCells& cells, int axis, const std::ptrdiff_t stri
   }
 }
 
+template <typename T>
+void FindRanges(
+  const PassedCells& cells, const std::ptrdiff_t strides[3], float* lowest, float* highest)
+{
+  for (int i = 0; i < cells.Count; i += FloatWidth)
+  {
+    Floats low = FloatInfinity;
+    Floats high = -FloatInfinity;
+    for (int row = 0; row < 4; ++row)
+    {
+      Floats pair[2];
+      LoadRowOfFloats<T>(
+        &cells.First[i], row % 2 * strides[1] + row / 2 * strides[2], strides[0], pair);
+      low = Min(low, Min(pair[0], pair[1]));
+      high = Max(high, Max(pair[0], pair[1]));
+    }
+    StoreFloats(low, &lowest[i]);
+    StoreFloats(high, &highest[i]);
+  }
+}
+
 }
 }

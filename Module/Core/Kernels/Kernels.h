@@ -147,6 +147,8 @@ struct Solutions
   alignas(64) double Begin[Candidates::Capacity];
   alignas(64) double BeginAxis[Candidates::Capacity];
   alignas(64) double T[Candidates::Capacity];
+  /// The root as a fraction of the segment; not of boxes.
+  alignas(64) double Fraction[Candidates::Capacity];
   alignas(64) double Parametric[3][Candidates::Capacity];
 };
 
@@ -286,6 +288,11 @@ struct Kernels
   /// between neighbours along each axis, in values. One for every ScalarType.
   void (*ClassifyCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
     const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2]);
+
+  /// Finds the lowest and the highest corners of cells, rounded to floats; there is room for
+  /// PassedCells::Capacity of each. Strides are as for ClassifyCells. One for every ScalarType.
+  void (*FindRanges[10])(
+    const PassedCells& cells, const std::ptrdiff_t strides[3], float* lowest, float* highest);
 
   /// Bounds the largest values of rays in cells in single precision, or those of the negated
   /// values: none is above the bound, which is NaN or infinite where nothing is known. There is

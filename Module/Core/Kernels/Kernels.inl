@@ -132,13 +132,13 @@ SIMD_INLINE void LoadCorner(
 #define KERNELS(name)                                                                              \
   const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, FindMetBoxes, ClipRays,          \
     MoveRays, Align, FindPassages, FindMembersOfRay, FindPassage, FOR_ALL_TYPES(ClassifyCells),    \
-    FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes,                      \
-    FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels, FOR_ALL_TYPES(IncludeRow),           \
-    FrameRays, FindFrames, EndRays, ProjectChildren, FindChildrenOnRay, FindChildrenAround,        \
-    FindSetsOnRay, FOR_ALL_TYPES(FindExtents), WeightGradients, FindCornerGradients, SumAtCorners, \
-    PackPolygons, PackBoxes, FindPiecesOnRay, BoundPackedPieces, BoundTrilinear, FindPassed,       \
-    FindPairs, SolveTetrahedra, SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays,      \
-    ProjectTetrahedra,                                                                             \
+    FOR_ALL_TYPES(FindRanges), FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve,       \
+    SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,                          \
+    FOR_ALL_TYPES(IncludeRow), FrameRays, FindFrames, EndRays, ProjectChildren, FindChildrenOnRay, \
+    FindChildrenAround, FindSetsOnRay, FOR_ALL_TYPES(FindExtents), WeightGradients,                \
+    FindCornerGradients, SumAtCorners, PackPolygons, PackBoxes, FindPiecesOnRay,                   \
+    BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear,     \
+    FindMetChildren, FindMetCells, MakeCloudRays, ProjectTetrahedra,                               \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \

@@ -167,6 +167,7 @@ SIMD_INLINE void StoreSolutions(const RayPacket& packet, const Candidates& candi
   Store(segment.BeginAxis, &solutions.BeginAxis[first]);
   const Doubles t = GetTAt(segment.Begin, segment.End, u);
   Store(Gather(packet.Base, &candidates.Ray[first]) + t, &solutions.T[first]);
+  Store(u, &solutions.Fraction[first]);
   for (int axis = 0; axis < 3; ++axis)
   {
     Store(Lerp(segment.Entry[axis], segment.Exit[axis], u), &solutions.Parametric[axis][first]);

@@ -72,11 +72,6 @@ public:
   bool SolvesAtOnce() const override { return true; }
 
   /// Only hits are requested.
-  void FindStops(int /*ray*/, const Index3& /*cell*/, const Departure& /*departure*/,
-    StoppedRays& /*stopped*/) override
-  {
-  }
-
   bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) override
   {
     const Ray own = this->Selection.TakeRay(this->Rays, ray);

@@ -7,8 +7,8 @@
 #include "Field/Departure.h"
 #include "Field/RootSet.h"
 #include "Image/Cells/CellSegment.h"
-#include "Image/Macrocells/BlockMask.h"
 #include "Image/Tracers/ImageSelection.h"
+#include "Image/Traversal/PacketTracer.h"
 
 // Surfaces that are found as the roots of polynomials along the segments of rays in cells.
 
@@ -16,17 +16,9 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// The cells of an image, for one thread.
-class RootCells
+class RootCells : public PacketTracer::Cells
 {
 public:
-  virtual ~RootCells() = default;
-
-  /// The mask of a block, kept somewhere or made in own.
-  virtual const BlockMask& GetMask(const Index3& block, BlockMask& own) = 0;
-
-  /// Prefetches what a block of cells is traced by.
-  virtual void Prefetch(const Index3& block) = 0;
-
   /// Whether a surface may pass a cell of an active macrocell: for cells that are found without
   /// masks.
   virtual bool MayHit(const Index3& cell) = 0;

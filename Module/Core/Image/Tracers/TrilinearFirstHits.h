@@ -49,13 +49,6 @@ public:
     this->Selection.PacketKernels->Solve(packet, candidates, planes, isovalue, solutions);
   }
 
-  void FindStops(
-    int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) override
-  {
-    FindStopsInCell(ray, this->Selection.TakeRay(this->Rays, ray), cell, departure, this->Cells,
-      this->Roots, stopped);
-  }
-
   bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) override
   {
     const Ray own = this->Selection.TakeRay(this->Rays, ray);

@@ -6,7 +6,9 @@
 
 #include "Image/Cells/TrilinearGradients.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
+#include "Image/Tracers/AllHitsTracer.h"
 #include "Image/Tracers/RootTracing.h"
+#include "Image/Tracers/StopTracer.h"
 #include "Image/Tracers/SurfaceTracer.h"
 #include "Image/Tracers/TrilinearFirstHits.h"
 
@@ -64,25 +66,31 @@ public:
   std::optional<StoppedRays> FindStopped(
     const RayPacket& rays, const Departure* departures) override
   {
-    if (this->CanTraceFirstHits() && this->Selection.CanTracePacket(rays))
-    {
-      FirstHitTracer tracer(*this->Selection.PacketKernels, this->Selection.GetTracedBlocks());
-      TrilinearFirstHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
-      return tracer.FindStopped(rays, cells, this->Selection.Isovalues[0], departures);
-    }
     TrilinearCells<T, Layout> cells(this->Selection, this->Masks, this->Bricks);
+    if (this->HasKernels(rays))
+    {
+      CornerRows<Layout> corners(cells.GetReader());
+      return StopTracer(this->Selection, rays, departures, cells, corners).FindStopped();
+    }
     return FindStoppedRays(this->Selection, rays, departures, cells);
   }
 
 protected:
   void TraceSurfaces(RayPacket& rays, RayHits& hits) override
   {
-    if (this->CanTraceFirstHits() && this->Selection.CanTracePacket(rays))
+    const bool hasKernels = this->HasKernels(rays);
+    if (hasKernels && this->HasOneOpaqueSurface())
     {
       this->TraceFirstHits(rays, hits);
       return;
     }
     TrilinearCells<T, Layout> cells(this->Selection, this->Masks, this->Bricks);
+    if (hasKernels)
+    {
+      CornerRows<Layout> corners(cells.GetReader());
+      AllHitsTracer(this->Selection, rays, cells, corners).FindHits(hits);
+      return;
+    }
     TraceRoots(this->Selection, rays, cells, hits);
   }
 
@@ -107,11 +115,17 @@ protected:
   }
 
 private:
-  /// Of one opaque surface only the first hits are needed.
-  bool CanTraceFirstHits() const
+  /// Whether kernels find the roots of rays that are requested.
+  bool HasKernels(const RayPacket& rays) const
   {
     return this->Selection.Request.Solver == RootSolver::Robust &&
-      this->Selection.Isovalues.size() == 1 && this->Selection.IsOpaque(0);
+      this->Selection.CanTracePacket(rays);
+  }
+
+  /// Of one opaque surface only the first hits are needed.
+  bool HasOneOpaqueSurface() const
+  {
+    return this->Selection.Isovalues.size() == 1 && this->Selection.IsOpaque(0);
   }
 
   void TraceFirstHits(RayPacket& rays, RayHits& hits)

@@ -127,10 +127,31 @@ void CellQueueTracer::EndQueue(const Frustum& frustum)
   {
     return;
   }
-  std::fill_n(this->Queue.Codes + this->Queue.Count, PassedCells::Spare, this->Queue.Codes[0]);
-  std::fill_n(this->Queue.First + this->Queue.Count, PassedCells::Spare, this->Queue.First[0]);
+  Fill(this->Queue);
   this->TakeQueue(frustum);
   this->Queue.Count = 0;
+}
+
+//------------------------------------------------------------------------------
+void CellQueueTracer::Fill(PassedCells& cells)
+{
+  std::fill_n(cells.Codes + cells.Count, PassedCells::Spare, cells.Codes[0]);
+  std::fill_n(cells.First + cells.Count, PassedCells::Spare, cells.First[0]);
+}
+
+//------------------------------------------------------------------------------
+void CellQueueTracer::LoadCorners(bool areCopied, Candidates& candidates) const
+{
+  for (int i = candidates.Count; i < candidates.Count + 16; ++i)
+  {
+    candidates.Ray[i] = candidates.Ray[0];
+    for (auto& coordinates : candidates.Cell)
+    {
+      coordinates[i] = coordinates[0];
+    }
+  }
+  this->TheKernels.LoadCorners[this->Corners->GetType(areCopied)](
+    this->Corners->GetStrides(areCopied), candidates);
 }
 
 }

@@ -53,6 +53,12 @@ protected:
 
   void AddBlock(const Frustum& frustum, const Index3& block) override;
 
+  /// Fills the lanes of a vector behind the last cell.
+  static void Fill(PassedCells& cells);
+
+  /// Reads the corners of candidates, and fills the lanes of a vector behind the last.
+  void LoadCorners(bool areCopied, Candidates& candidates) const;
+
   CornerSource* Corners = nullptr;
   PassedCells Queue;
   /// Whether the corners of all passages are kept in rows.

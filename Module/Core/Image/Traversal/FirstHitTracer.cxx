@@ -4,56 +4,16 @@
 #include "Image/Traversal/FirstHitTracer.h"
 
 #include "Image/Cells/CellSegment.h"
-#include "Math/Compiler.h"
+#include "Image/Traversal/CandidateSets.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {
-namespace
-{
-
-bool HasCandidate(const std::uint64_t (&set)[Solutions::Words], int candidate)
-{
-  return (set[candidate / 64] >> (candidate % 64) & 1) != 0;
-}
-
-/// Calls visit(candidate) for the members of a set of Solutions, in order.
-template <typename Visit>
-void ForEachCandidate(const std::uint64_t (&set)[Solutions::Words], const Visit& visit)
-{
-  for (int word = 0; word < Solutions::Words; ++word)
-  {
-    for (std::uint64_t bits = set[word]; bits != 0; bits &= bits - 1)
-    {
-      visit(64 * word + LowestBit(bits));
-    }
-  }
-}
-
-}
 
 //------------------------------------------------------------------------------
 const PacketHits& FirstHitTracer::FindFirstHits(
-  const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue)
-{
-  this->Departures = nullptr;
-  this->TraceSurface(packet, cells, isovalue);
-  return this->Hits;
-}
-
-//------------------------------------------------------------------------------
-const StoppedRays& FirstHitTracer::FindStopped(const RayPacket& packet, FirstHitCells& cells,
-  const ScaledIsovalue& isovalue, const Departure* departures)
-{
-  this->Departures = departures;
-  this->TraceSurface(packet, cells, isovalue);
-  return this->Stopped;
-}
-
-//------------------------------------------------------------------------------
-void FirstHitTracer::TraceSurface(
   const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue)
 {
   this->Source = &cells;
@@ -62,11 +22,10 @@ void FirstHitTracer::TraceSurface(
   this->Waiting.Count = 0;
   this->SurelyHit[0] = {};
   this->SurelyHit[1] = {};
-  this->Stopped = {};
   this->Hits.Found = {};
-  this->TraceQueued(
-    packet, cells, cells.GetCorners(), this->Departures ? Order::Any : Order::FrontToBack);
+  this->TraceQueued(packet, cells, cells.GetCorners(), Order::FrontToBack);
   this->SolveCandidates();
+  return this->Hits;
 }
 
 //------------------------------------------------------------------------------
@@ -88,21 +47,14 @@ void FirstHitTracer::EndQueuedSlice(const Frustum& /*frustum*/)
 {
   for (int word = 0; word < 2; ++word)
   {
-    this->Going.Words[word] &= ~(this->Departures ? this->Stopped.Stopped.Words[word]
-                                                  : this->SurelyHit[0].Words[word] |
-          this->SurelyHit[1].Words[word] | this->Hits.Found.Words[word]);
+    this->Going.Words[word] &= ~(this->SurelyHit[0].Words[word] | this->SurelyHit[1].Words[word] |
+      this->Hits.Found.Words[word]);
   }
 }
 
 //------------------------------------------------------------------------------
 int FirstHitTracer::KeepNeeded(const Frustum& frustum, int* passages, int count) const
 {
-  if (this->Departures)
-  {
-    return this->KeepOthers([this](int passage)
-      { return Has(this->Stopped.Stopped, this->Passed.Segments[passage].Ray); },
-      passages, count);
-  }
   if (this->SolvesAtOnce)
   {
     return this->KeepOthers(
@@ -158,10 +110,6 @@ void FirstHitTracer::TakeQueue(const Frustum& frustum)
   }
   this->Source->ClassifyCells(
     this->Queue, frustum.Axis, this->AreCopied, this->Passed, this->Waiting, this->SurelyHit);
-  if (this->Departures)
-  {
-    this->StopAtSureHits(frustum);
-  }
   if (this->AreCopied || this->SolvesAtOnce || this->Waiting.Count >= Candidates::Batch)
   {
     this->SolveCandidates();
@@ -172,34 +120,13 @@ void FirstHitTracer::TakeQueue(const Frustum& frustum)
 //------------------------------------------------------------------------------
 void FirstHitTracer::SolveCandidates()
 {
-  if (this->Departures)
-  {
-    this->DropStoppedCandidates();
-  }
   if (this->Waiting.Count == 0)
   {
     return;
   }
-  // The lanes behind the last candidate must have valid input.
-  for (int i = this->Waiting.Count; i < this->Waiting.Count + 16; ++i)
-  {
-    this->Waiting.Ray[i] = this->Waiting.Ray[0];
-    for (auto& coordinates : this->Waiting.Cell)
-    {
-      coordinates[i] = coordinates[0];
-    }
-  }
-  this->TheKernels.LoadCorners[this->Corners->GetType(this->AreCopied)](
-    this->Corners->GetStrides(this->AreCopied), this->Waiting);
+  this->LoadCorners(this->AreCopied, this->Waiting);
   this->Source->Solve(*this->Packet, this->Waiting, this->Planes, this->Isovalue, this->Solved);
-  if (this->Departures)
-  {
-    this->StopAtSolutions();
-  }
-  else
-  {
-    this->KeepSolutions();
-  }
+  this->KeepSolutions();
   this->Waiting.Count = 0;
 }
 
@@ -215,87 +142,6 @@ void FirstHitTracer::KeepSolutions()
   ForEachCandidate(this->Solved.Extreme,
     [this](int candidate)
     { this->FindFirstHit(this->Waiting.Ray[candidate], this->GetCell(candidate)); });
-}
-
-//------------------------------------------------------------------------------
-void FirstHitTracer::StopAtSolutions()
-{
-  ForEachCandidate(this->Solved.Found, [this](int candidate) { this->StopAtCandidate(candidate); });
-  ForEachCandidate(this->Solved.Extreme,
-    [this](int candidate)
-    { this->StopInCell(this->Waiting.Ray[candidate], this->GetCell(candidate)); });
-}
-
-//------------------------------------------------------------------------------
-/// Where a ray is surely stopped, there is nothing to solve.
-void FirstHitTracer::DropStoppedCandidates()
-{
-  Candidates& waiting = this->Waiting;
-  int count = 0;
-  for (int i = 0; i < waiting.Count; ++i)
-  {
-    const int ray = waiting.Ray[i];
-    for (auto& coordinates : waiting.Cell)
-    {
-      coordinates[count] = coordinates[i];
-    }
-    waiting.Ray[count] = ray;
-    waiting.First[count] = waiting.First[i];
-    count += Has(this->Stopped.Stopped, ray) ? 0 : 1;
-  }
-  waiting.Count = count;
-}
-
-//------------------------------------------------------------------------------
-/// A hit is sure only far from where the ray starts: there the value is zero but for rounding.
-void FirstHitTracer::StopAtSureHits(const Frustum& frustum)
-{
-  for (const bool rise : { false, true })
-  {
-    const RaySet hits = std::exchange(this->SurelyHit[rise ? 1 : 0], RaySet());
-    const bool entering = rise == frustum.IsUp;
-    for (int word = 0; word < 2; ++word)
-    {
-      std::uint64_t bits = hits.Words[word] & ~this->Stopped.Stopped.Words[word];
-      for (; bits != 0; bits &= bits - 1)
-      {
-        const int ray = 64 * word + LowestBit(bits);
-        if (!this->Departures[ray].Is(0, entering))
-        {
-          Add(ray, this->Stopped.Stopped);
-        }
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Takes the first root of a candidate. Where that may be the crossing that the ray starts on,
-/// further roots may follow.
-void FirstHitTracer::StopAtCandidate(int candidate)
-{
-  const int ray = this->Waiting.Ray[candidate];
-  if (this->Departures[ray].Is(0, HasCandidate(this->Solved.Entering, candidate)))
-  {
-    if (HasCandidate(this->Solved.Further, candidate))
-    {
-      this->StopInCell(ray, this->GetCell(candidate));
-    }
-  }
-  else
-  {
-    this->Stopped.AddCrossing(
-      ray, this->Solved.T[candidate] * Length(this->Packet->GetDirection(ray)));
-  }
-}
-
-//------------------------------------------------------------------------------
-void FirstHitTracer::StopInCell(int ray, const Index3& cell)
-{
-  if (!Has(this->Stopped.Stopped, ray))
-  {
-    this->Source->FindStops(ray, cell, this->Departures[ray], this->Stopped);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,6 @@
 #ifndef FirstHitTracer_h
 #define FirstHitTracer_h
 
-#include "Field/Departure.h"
 #include "Image/Lattice/CellLattice.h"
 #include "Image/Lattice/Ray.h"
 #include "Image/Traversal/CellQueueTracer.h"
@@ -25,7 +24,7 @@ struct PacketHits
   std::array<Crossing, RayPacket::Capacity> Begin;
 };
 
-/// Finds the first hits of a packet with one opaque surface, or whether there is any.
+/// Finds the first hits of a packet with one opaque surface.
 ///
 /// Single precision classifies most of the cells that the rays pass as sure misses or sure hits;
 /// the remaining candidates are solved together, exactly as for a single ray.
@@ -47,9 +46,6 @@ public:
     /// Whether cells are not classified: then candidates are solved before the next slice, so that
     /// a ray that hits needs no more.
     virtual bool SolvesAtOnce() const { return false; }
-    /// Adds the effect of the crossings of the surface in a cell to a ray of the packet.
-    virtual void FindStops(
-      int ray, const Index3& cell, const Departure& departure, StoppedRays& stopped) = 0;
     /// Solves a cell that the kernels do not: the first visible hit of a ray of the packet in it,
     /// and where the ray enters the cell. Returns false if there is none.
     virtual bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) = 0;
@@ -66,13 +62,7 @@ public:
   const PacketHits& FindFirstHits(
     const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
 
-  /// Finds the rays of a packet that one surface stops, wherever that is. There is a departure for
-  /// each ray.
-  const StoppedRays& FindStopped(const RayPacket& packet, FirstHitCells& cells,
-    const ScaledIsovalue& isovalue, const Departure* departures);
-
 private:
-  void TraceSurface(const RayPacket& packet, FirstHitCells& cells, const ScaledIsovalue& isovalue);
   void AddCroppedCells(const Frustum& frustum, const Index3& block, int first) override;
   void EndQueuedSlice(const Frustum& frustum) override;
   int KeepNeeded(const Frustum& frustum, int* passages, int count) const override;
@@ -82,11 +72,6 @@ private:
   void TakeQueue(const Frustum& frustum) override;
   void SolveCandidates();
   void KeepSolutions();
-  void StopAtSolutions();
-  void DropStoppedCandidates();
-  void StopAtSureHits(const Frustum& frustum);
-  void StopAtCandidate(int candidate);
-  void StopInCell(int ray, const Index3& cell);
   Index3 GetCell(int candidate) const;
   Hit GetHit(int candidate) const;
   void FindFirstHit(int ray, const Index3& cell);
@@ -95,9 +80,6 @@ private:
   FirstHitCells* Source = nullptr;
   ScaledIsovalue Isovalue = {};
   PacketHits Hits;
-  /// Where rays start, if only whether they are stopped is requested; else null.
-  const Departure* Departures = nullptr;
-  StoppedRays Stopped;
   /// The rays that surely hit something, at any t: where values fall, and where they rise along the
   /// axis of the frustum.
   RaySet SurelyHit[2] = {};

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Image/Tracers/AllHitsTracer.h"
+
+#include "Image/Traversal/CandidateSets.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+//------------------------------------------------------------------------------
+AllHitsTracer::AllHitsTracer(
+  const ImageSelection& selection, const RayPacket& rays, RootCells& cells, CornerSource& corners)
+  : CandidateTracer(selection, rays, cells, corners)
+  , TheCells(cells)
+  , Collectors(static_cast<std::size_t>(rays.Count), selection.NewCollector(this->Hits))
+{
+  for (std::size_t surface = 0; surface < selection.Isovalues.size(); ++surface)
+  {
+    this->EndsAllRays = this->EndsAllRays && selection.EndsRays(surface);
+  }
+  this->LastOfRay.fill(-1);
+}
+
+//------------------------------------------------------------------------------
+void AllHitsTracer::FindHits(RayHits& hits)
+{
+  this->TraceSurfaces(Order::FrontToBack);
+  std::array<std::size_t, RayPacket::Capacity + 1> next = {};
+  for (const int ray : this->RayOfHit)
+  {
+    ++next[static_cast<std::size_t>(ray) + 1];
+  }
+  next[0] = hits.Hits.size();
+  for (std::size_t ray = 1; ray <= this->Collectors.size(); ++ray)
+  {
+    next[ray] += next[ray - 1];
+    hits.First.push_back(next[ray]);
+  }
+  hits.Hits.resize(next[this->Collectors.size()]);
+  for (std::size_t i = 0; i < this->Hits.size(); ++i)
+  {
+    hits.Hits[next[static_cast<std::size_t>(this->RayOfHit[i])]++] = this->Hits[i];
+  }
+}
+
+//------------------------------------------------------------------------------
+int AllHitsTracer::KeepNeeded(const Frustum& /*frustum*/, int* passages, int count) const
+{
+  if (!this->EndsAllRays)
+  {
+    return count;
+  }
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    passages[kept] = passages[i];
+    kept += this->Passed.Hits[passages[i]] ? 0 : 1;
+  }
+  return kept;
+}
+
+//------------------------------------------------------------------------------
+void AllHitsTracer::KeepSolutions(int surface)
+{
+  const bool endsRays = this->Selection.EndsRays(static_cast<std::size_t>(surface));
+  ForEachCandidate(this->Solved.Found,
+    [this, surface, endsRays](int candidate) {
+      this->AddRoot(candidate, surface, !endsRays && HasCandidate(this->Solved.Further, candidate));
+    });
+  ForEachCandidate(this->Solved.Extreme,
+    [this, surface](int candidate) { this->AddRoot(candidate, surface, true); });
+}
+
+//------------------------------------------------------------------------------
+void AllHitsTracer::AddRoot(int candidate, int surface, bool isPartial)
+{
+  const Solutions& solved = this->Solved;
+  const Index3 cell = this->GetCell(candidate);
+  int& last = this->LastOfRay[static_cast<std::size_t>(this->Waiting.Ray[candidate])];
+  const int next = std::exchange(last, static_cast<int>(this->Found.size()));
+  this->Found.push_back({ { solved.T[candidate], this->Selection.Lattice.GetNumber(cell), surface,
+                            { solved.Parametric[0][candidate], solved.Parametric[1][candidate],
+                              solved.Parametric[2][candidate] },
+                            HasCandidate(solved.Entering, candidate) },
+    cell, { solved.Begin[candidate], static_cast<int>(solved.BeginAxis[candidate]) },
+    solved.Fraction[candidate], isPartial, next });
+}
+
+//------------------------------------------------------------------------------
+void AllHitsTracer::EndQueuedSlice(const Frustum& /*frustum*/)
+{
+  this->SolveWaiting();
+  for (int ray = 0; ray < this->Rays.Count; ++ray)
+  {
+    if (this->LastOfRay[static_cast<std::size_t>(ray)] >= 0 && this->AddHits(ray))
+    {
+      Remove(ray, this->Going);
+    }
+  }
+  this->Found.clear();
+}
+
+//------------------------------------------------------------------------------
+/// Adds the hits of a ray in a slice, in order. Returns whether nothing of the ray is left.
+bool AllHitsTracer::AddHits(int ray)
+{
+  this->OfRay.clear();
+  int next = std::exchange(this->LastOfRay[static_cast<std::size_t>(ray)], -1);
+  for (; next >= 0; next = this->OfRay.back()->Next)
+  {
+    this->OfRay.push_back(&this->Found[static_cast<std::size_t>(next)]);
+  }
+  const Vector3 direction = this->Rays.GetDirection(ray);
+  std::sort(this->OfRay.begin(), this->OfRay.end(),
+    [&direction](const FoundRoot* a, const FoundRoot* b)
+    {
+      const bool isBefore = IsEnteredBefore(a->Cell, a->Begin, b->Cell, b->Begin, direction);
+      return isBefore ||
+        (a->TheHit.Surface < b->TheHit.Surface &&
+          !IsEnteredBefore(b->Cell, b->Begin, a->Cell, a->Begin, direction));
+    });
+  for (auto first = this->OfRay.cbegin(); first != this->OfRay.cend();)
+  {
+    const auto last = std::find_if(first, this->OfRay.cend(),
+      [cell = (*first)->TheHit.Cell](const FoundRoot* root) { return root->TheHit.Cell != cell; });
+    if (this->AddHitsInCell(ray, first, last))
+    {
+      return true;
+    }
+    first = last;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool AllHitsTracer::AddHitsInCell(int ray, Roots::const_iterator first, Roots::const_iterator last)
+{
+  if (std::any_of(first, last, [](const FoundRoot* root) { return root->IsPartial; }))
+  {
+    return this->AddRootsInCell(ray, (*first)->Cell);
+  }
+  if (last - first == 1)
+  {
+    return this->Add(ray, (*first)->TheHit);
+  }
+  this->InCell.Clear();
+  for (auto root = first; root != last; ++root)
+  {
+    this->InCell.NextSurface();
+    this->InCell.Add({ (*root)->Fraction, (*root)->TheHit.Surface, (*root)->TheHit.Entering });
+  }
+  return std::any_of(this->InCell.Get().begin(), this->InCell.Get().end(),
+    [this, ray, first, last](const Root& root)
+    {
+      const auto found = std::find_if(first, last,
+        [&root](const FoundRoot* other) { return other->TheHit.Surface == root.Surface; });
+      return this->Add(ray, (*found)->TheHit);
+    });
+}
+
+//------------------------------------------------------------------------------
+/// Adds the hits of all surfaces in a cell, which are found once more.
+bool AllHitsTracer::AddRootsInCell(int ray, const Index3& cell)
+{
+  const Ray own = this->Selection.TakeRay(this->Rays, ray);
+  CellSegment segment;
+  if (!SegmentInCell(own, cell, segment))
+  {
+    return false;
+  }
+  this->TheCells.FindRoots(cell, segment, false, this->InCell);
+  return std::any_of(this->InCell.Get().begin(), this->InCell.Get().end(),
+    [&](const Root& root)
+    {
+      return this->Add(ray,
+        MakeHit(
+          own, this->Selection.Lattice, cell, segment, root.Fraction, root.Surface, root.Entering));
+    });
+}
+
+//------------------------------------------------------------------------------
+/// Adds a hit, if it is visible. Returns whether nothing of the ray is left.
+bool AllHitsTracer::Add(int ray, const Hit& hit)
+{
+  const bool isOver = this->Collectors[static_cast<std::size_t>(ray)].Add(hit);
+  if (this->Hits.size() > this->RayOfHit.size())
+  {
+    this->RayOfHit.push_back(ray);
+  }
+  return isOver;
+}
+
+}
