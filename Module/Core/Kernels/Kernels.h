@@ -310,7 +310,7 @@ struct Kernels
     const ScaledIsovalue& isovalue, Solutions& solutions);
 
   /// Finds the first face between boxes in the cell of each candidate that is a surface, exactly as
-  /// AddFaceHits does. Begin and BeginAxis are those of its crossing.
+  /// FindFaceHits does. Begin and BeginAxis are those of its crossing.
   void (*SolveBoxes)(const RayPacket& packet, const Candidates& candidates,
     const LatticePlanes* planes, const ScaledIsovalue& isovalue, Solutions& solutions);
 

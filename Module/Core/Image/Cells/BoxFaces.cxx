@@ -3,8 +3,6 @@
 
 #include "Image/Cells/BoxFaces.h"
 
-#include "Field/HitCollector.h"
-
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -15,7 +13,8 @@ namespace
 {
 
 /// Whether a ray is in a cell where it crosses a plane between boxes across an axis, in the middle
-/// of the cell. By the order of Crossing, so it is in one cell only.
+/// of the cell. By the order of Crossing, so it is in one cell only; a ray is in no cell that it
+/// enters where it ends.
 bool IsInCell(const Ray& ray, const Index3& cell, const Crossing& crossing)
 {
   if (!(crossing.T > ray.Begin && crossing.T <= ray.End))
@@ -25,14 +24,18 @@ bool IsInCell(const Ray& ray, const Index3& cell, const Crossing& crossing)
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto i = static_cast<std::size_t>(axis);
-    if (ray.Step[i] == 0 || axis == crossing.Axis)
+    if (ray.Step[i] == 0)
     {
+      if (ray.Inverse[i] != cell[i])
+      {
+        return false;
+      }
       continue;
     }
     const bool up = ray.Step[i] > 0;
     const Crossing in{ ray.CrossingT(i, cell[i] + (up ? 0 : 1)), axis };
     const Crossing out{ ray.CrossingT(i, cell[i] + (up ? 1 : 0)), axis };
-    if (crossing < in || !(crossing < out))
+    if (!(in.T < ray.End) || (axis != crossing.Axis && (crossing < in || !(crossing < out))))
     {
       return false;
     }
@@ -41,10 +44,9 @@ bool IsInCell(const Ray& ray, const Index3& cell, const Crossing& crossing)
 }
 
 /// Calls visit(crossing, from, to) for the up to three faces between boxes that a ray crosses in a
-/// cell, in order, until visit returns true; the boxes are those of the corners from and to.
-/// Returns whether it did.
+/// cell, in order; the boxes are those of the corners from and to.
 template <typename Visit>
-bool VisitFaces(const Ray& ray, const Index3& cell, const Visit& visit)
+void VisitFaces(const Ray& ray, const Index3& cell, const Visit& visit)
 {
   Crossing crossings[3];
   int count = 0;
@@ -67,13 +69,12 @@ bool VisitFaces(const Ray& ray, const Index3& cell, const Visit& visit)
   for (int i = 0; i < count; ++i)
   {
     const int next = corner ^ (1 << crossings[i].Axis);
-    if (IsInCell(ray, cell, crossings[i]) && visit(crossings[i], corner, next))
+    if (IsInCell(ray, cell, crossings[i]))
     {
-      return true;
+      visit(crossings[i], corner, next);
     }
     corner = next;
   }
-  return false;
 }
 
 }
@@ -94,17 +95,17 @@ int FindBox(const Ray& ray, const Index3& cell, const Crossing& at)
 }
 
 //------------------------------------------------------------------------------
-bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
-  const CellLattice& lattice, const std::vector<Isosurface>& surfaces, HitCollector& collector)
+void FindFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
+  const CellLattice& lattice, const std::vector<Isosurface>& surfaces, std::vector<FaceHit>& hits)
 {
-  return VisitFaces(ray, cell,
+  VisitFaces(ray, cell,
     [&](const Crossing& crossing, int from, int to)
     {
       const double before = corners[static_cast<std::size_t>(from)];
       const double behind = corners[static_cast<std::size_t>(to)];
       if (!std::isfinite(before) || !std::isfinite(behind))
       {
-        return false;
+        return;
       }
       const auto axis = static_cast<std::size_t>(crossing.Axis);
       Hit hit{ ray.Base + crossing.T, lattice.GetNumber(cell), 0,
@@ -116,13 +117,11 @@ bool AddFaceHits(const Ray& ray, const Index3& cell, const CellCorners& corners,
       {
         hit.Surface = hit.Entering ? i : count - 1 - i;
         const double isovalue = surfaces[static_cast<std::size_t>(hit.Surface)].Isovalue;
-        const bool isSurface = (before < isovalue) != (behind < isovalue);
-        if (isSurface && collector.Add(hit))
+        if ((before < isovalue) != (behind < isovalue))
         {
-          return true;
+          hits.push_back({ crossing, ray.Step[axis] * cell[axis], hit });
         }
       }
-      return false;
     });
 }
 

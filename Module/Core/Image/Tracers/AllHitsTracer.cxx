@@ -16,7 +16,7 @@ AllHitsTracer::AllHitsTracer(
   const ImageSelection& selection, const RayPacket& rays, RootCells& cells, CornerSource& corners)
   : CandidateTracer(selection, rays, cells, corners)
   , TheCells(cells)
-  , Collectors(static_cast<std::size_t>(rays.Count), selection.NewCollector(this->Hits))
+  , Collector(selection, rays.Count)
 {
   for (std::size_t surface = 0; surface < selection.Isovalues.size(); ++surface)
   {
@@ -29,22 +29,7 @@ AllHitsTracer::AllHitsTracer(
 void AllHitsTracer::FindHits(RayHits& hits)
 {
   this->TraceSurfaces(Order::FrontToBack);
-  std::array<std::size_t, RayPacket::Capacity + 1> next = {};
-  for (const int ray : this->RayOfHit)
-  {
-    ++next[static_cast<std::size_t>(ray) + 1];
-  }
-  next[0] = hits.Hits.size();
-  for (std::size_t ray = 1; ray <= this->Collectors.size(); ++ray)
-  {
-    next[ray] += next[ray - 1];
-    hits.First.push_back(next[ray]);
-  }
-  hits.Hits.resize(next[this->Collectors.size()]);
-  for (std::size_t i = 0; i < this->Hits.size(); ++i)
-  {
-    hits.Hits[next[static_cast<std::size_t>(this->RayOfHit[i])]++] = this->Hits[i];
-  }
+  this->Collector.AppendTo(hits);
 }
 
 //------------------------------------------------------------------------------
@@ -145,7 +130,7 @@ bool AllHitsTracer::AddHitsInCell(int ray, Roots::const_iterator first, Roots::c
   }
   if (last - first == 1)
   {
-    return this->Add(ray, (*first)->TheHit);
+    return this->Collector.Add(ray, (*first)->TheHit);
   }
   this->InCell.Clear();
   for (auto root = first; root != last; ++root)
@@ -158,7 +143,7 @@ bool AllHitsTracer::AddHitsInCell(int ray, Roots::const_iterator first, Roots::c
     {
       const auto found = std::find_if(first, last,
         [&root](const FoundRoot* other) { return other->TheHit.Surface == root.Surface; });
-      return this->Add(ray, (*found)->TheHit);
+      return this->Collector.Add(ray, (*found)->TheHit);
     });
 }
 
@@ -176,22 +161,10 @@ bool AllHitsTracer::AddRootsInCell(int ray, const Index3& cell)
   return std::any_of(this->InCell.Get().begin(), this->InCell.Get().end(),
     [&](const Root& root)
     {
-      return this->Add(ray,
+      return this->Collector.Add(ray,
         MakeHit(
           own, this->Selection.Lattice, cell, segment, root.Fraction, root.Surface, root.Entering));
     });
-}
-
-//------------------------------------------------------------------------------
-/// Adds a hit, if it is visible. Returns whether nothing of the ray is left.
-bool AllHitsTracer::Add(int ray, const Hit& hit)
-{
-  const bool isOver = this->Collectors[static_cast<std::size_t>(ray)].Add(hit);
-  if (this->Hits.size() > this->RayOfHit.size())
-  {
-    this->RayOfHit.push_back(ray);
-  }
-  return isOver;
 }
 
 }

@@ -6,6 +6,7 @@
 
 #include "Field/RootSet.h"
 #include "Image/Tracers/CandidateTracer.h"
+#include "Image/Tracers/PacketCollector.h"
 #include "Image/Tracers/RootTracing.h"
 
 #include <array>
@@ -50,7 +51,6 @@ private:
   bool AddHits(int ray);
   bool AddHitsInCell(int ray, Roots::const_iterator first, Roots::const_iterator last);
   bool AddRootsInCell(int ray, const Index3& cell);
-  bool Add(int ray, const Hit& hit);
 
   RootCells& TheCells;
   /// Whether rays end at any hit with any surface.
@@ -58,10 +58,7 @@ private:
   /// Those in the slice, and the number of the last one of each ray, or negative.
   std::vector<FoundRoot> Found;
   std::array<int, RayPacket::Capacity> LastOfRay;
-  /// The hits so far, those of each ray in order; and their rays.
-  std::vector<Hit> Hits;
-  std::vector<int> RayOfHit;
-  std::vector<HitCollector> Collectors;
+  PacketCollector Collector;
   /// Kept for their memory.
   Roots OfRay;
   RootSet InCell;

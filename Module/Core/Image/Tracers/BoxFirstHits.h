@@ -79,18 +79,19 @@ public:
     this->Reader.Load(cell, corners);
     CellCorners values;
     std::copy(corners, corners + 8, values.begin());
+    std::vector<FaceHit> faces;
+    FindFaceHits(
+      own, cell, values, this->Selection.Lattice, this->Selection.Request.Surfaces, faces);
     std::vector<Hit> hits;
     HitCollector collector = this->Selection.NewCollector(hits);
-    CellSegment segment;
-    if (!SegmentInCell(own, cell, segment) ||
-      !AddFaceHits(
-        own, cell, values, this->Selection.Lattice, this->Selection.Request.Surfaces, collector))
+    const auto first = std::find_if(faces.begin(), faces.end(),
+      [&collector](const FaceHit& face) { return collector.Add(face.TheHit); });
+    if (first == faces.end())
     {
       return false;
     }
-    hit = hits.front();
-    const auto axis = static_cast<std::size_t>(GetAxisOfJump(hit));
-    begin = { own.MiddleCrossingT(axis, cell[axis]), static_cast<int>(axis) };
+    hit = first->TheHit;
+    begin = first->At;
     return true;
   }
 

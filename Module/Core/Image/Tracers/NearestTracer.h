@@ -9,17 +9,18 @@
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Samples/Unbricked.h"
 #include "Image/Tracers/BoxFirstHits.h"
+#include "Image/Tracers/BoxHits.h"
 #include "Image/Tracers/SurfaceTracer.h"
 #include "Image/Traversal/CellTraversal.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Interpolant::Nearest: rays traverse the cells, and cross faces between boxes there. First hits
-/// with one opaque surface are found in packets.
+/// Interpolant::Nearest: rays traverse the cells, and cross faces between boxes there.
 template <typename T, typename Layout>
 class NearestTracer final : public SurfaceTracer
 {
@@ -54,26 +55,15 @@ protected:
       this->TraceFirstHits(rays, hits);
       return;
     }
-    typename Layout::Reader reader(this->Bricks);
-    this->Selection.ForEachRay(rays, hits,
-      [this, &reader, &hits](const Ray& ray)
-      {
-        HitCollector collector = this->Selection.NewCollector(hits.Hits);
-        TraverseCells(ray, this->Selection.Active,
-          [&](const Index3& cell)
-          {
-            Value corners[8];
-            reader.Load(cell, corners);
-            if (!this->HasFaces(corners))
-            {
-              return false;
-            }
-            CellCorners values;
-            std::copy(corners, corners + 8, values.begin());
-            return AddFaceHits(ray, cell, values, this->Selection.Lattice,
-              this->Selection.Request.Surfaces, collector);
-          });
-      });
+    if (this->Selection.CanTracePacket(rays))
+    {
+      BoxHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
+      RayFollower(*this->Selection.PacketKernels, this->Selection.GetTracedBlocks())
+        .Follow(rays, cells);
+      cells.AppendTo(hits);
+      return;
+    }
+    this->TraceCellByCell(rays, hits);
   }
 
   bool HasBoxes() const override { return true; }
@@ -99,6 +89,35 @@ protected:
 
 private:
   using Value = typename Layout::Value;
+
+  /// Traces each ray by itself, cell by cell. This is the reference.
+  void TraceCellByCell(const RayPacket& rays, RayHits& hits)
+  {
+    typename Layout::Reader reader(this->Bricks);
+    std::vector<FaceHit> faces;
+    this->Selection.ForEachRay(rays, hits,
+      [this, &reader, &faces, &hits](const Ray& ray)
+      {
+        HitCollector collector = this->Selection.NewCollector(hits.Hits);
+        TraverseCells(ray, this->Selection.Active,
+          [&](const Index3& cell)
+          {
+            Value corners[8];
+            reader.Load(cell, corners);
+            if (!this->HasFaces(corners))
+            {
+              return false;
+            }
+            CellCorners values;
+            std::copy(corners, corners + 8, values.begin());
+            faces.clear();
+            FindFaceHits(
+              ray, cell, values, this->Selection.Lattice, this->Selection.Request.Surfaces, faces);
+            return std::any_of(faces.begin(), faces.end(),
+              [&collector](const FaceHit& face) { return collector.Add(face.TheHit); });
+          });
+      });
+  }
 
   void TraceFirstHits(const RayPacket& rays, RayHits& hits)
   {

@@ -4,9 +4,11 @@
 #include "Image/Tracers/RootTracing.h"
 
 #include "Image/Cells/CellsOnRay.h"
+#include "Image/Tracers/PacketCollector.h"
 #include "Image/Traversal/CellTraversal.h"
 #include "Image/Traversal/RayFollower.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -15,19 +17,15 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// Adds the hits of the roots in a cell. Returns whether nothing of the ray is left.
+/// Adds the hits of the roots in a cell. Returns whether nothing of the ray is left: add(hit) does.
+template <typename Add>
 bool AddHits(const Ray& ray, const CellLattice& lattice, const Index3& cell,
-  const CellSegment& segment, const RootSet& roots, HitCollector& collector)
+  const CellSegment& segment, const RootSet& roots, const Add& add)
 {
-  for (const Root& root : roots.Get())
-  {
-    if (collector.Add(
-          MakeHit(ray, lattice, cell, segment, root.Fraction, root.Surface, root.Entering)))
-    {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(roots.Get().begin(), roots.Get().end(),
+    [&](const Root& root) {
+      return add(MakeHit(ray, lattice, cell, segment, root.Fraction, root.Surface, root.Entering));
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -74,12 +72,8 @@ class HitFinder final : public FollowedRootCells
 public:
   HitFinder(const ImageSelection& selection, const RayPacket& rays, RootCells& cells)
     : FollowedRootCells(selection, rays, cells)
-    , Hits(static_cast<std::size_t>(rays.Count))
+    , Collector(selection, rays.Count)
   {
-    for (std::vector<Hit>& own : this->Hits)
-    {
-      this->Collectors.push_back(selection.NewCollector(own));
-    }
   }
 
   bool Follow(int ray, const std::vector<Index3>& cells) override
@@ -91,7 +85,7 @@ public:
     {
       this->TheCells.FindRoots(passed.Cell, passed.Segment, false, this->Roots);
       if (AddHits(own, this->Selection.Lattice, passed.Cell, passed.Segment, this->Roots,
-            this->Collectors[static_cast<std::size_t>(ray)]))
+            [this, ray](const Hit& hit) { return this->Collector.Add(ray, hit); }))
       {
         return true;
       }
@@ -100,19 +94,10 @@ public:
   }
 
   /// Appends the hits of the rays that were followed.
-  void GetHits(RayHits& hits) const
-  {
-    for (const std::vector<Hit>& own : this->Hits)
-    {
-      hits.Hits.insert(hits.Hits.end(), own.begin(), own.end());
-      hits.EndRay();
-    }
-  }
+  void AppendTo(RayHits& hits) const { this->Collector.AppendTo(hits); }
 
 private:
-  /// Of each ray.
-  std::vector<std::vector<Hit>> Hits;
-  std::vector<HitCollector> Collectors;
+  PacketCollector Collector;
   /// Kept for its memory.
   std::vector<CellOnRay> OnRay;
 };
@@ -172,7 +157,8 @@ void TraceCellByCell(
             return false;
           }
           cells.FindRoots(cell, segment, false, roots);
-          return AddHits(ray, selection.Lattice, cell, segment, roots, collector);
+          return AddHits(ray, selection.Lattice, cell, segment, roots,
+            [&collector](const Hit& hit) { return collector.Add(hit); });
         });
     });
 }
@@ -217,7 +203,7 @@ void TraceRoots(
   }
   HitFinder finder(selection, rays, cells);
   RayFollower(*selection.PacketKernels, selection.GetTracedBlocks()).Follow(rays, finder);
-  finder.GetHits(hits);
+  finder.AppendTo(hits);
 }
 
 //------------------------------------------------------------------------------
