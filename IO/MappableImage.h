@@ -7,7 +7,6 @@
 #include "RawSamples.h"
 
 #include <array>
-#include <cstdint>
 #include <string>
 
 namespace ImageFiles

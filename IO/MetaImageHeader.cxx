@@ -9,7 +9,6 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

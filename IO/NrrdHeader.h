@@ -9,7 +9,6 @@
 #include "ImagePlace.h"
 #include "RawSamples.h"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 

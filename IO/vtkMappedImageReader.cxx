@@ -25,8 +25,6 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace

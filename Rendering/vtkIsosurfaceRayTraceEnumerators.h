@@ -8,7 +8,8 @@
 
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 
-#include "Image/ImageField.h"
+#include "Image/ImageSettings.h"
+#include "Rays/TraceRequest.h"
 
 #include <optional> // for std::optional
 

@@ -32,8 +32,6 @@ class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
 class vtkImageData;
-class vtkIsosurfaceRayTraceGridPart;
-class vtkIsosurfaceRayTraceMesh;
 class vtkIsosurfaceRayTraceValueColors;
 class vtkObject;
 class vtkVolumeMapper;

@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 

@@ -16,7 +16,6 @@
 #include "vtkInformation.h"
 
 #include <algorithm>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 

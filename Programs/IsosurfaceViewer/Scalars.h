@@ -9,7 +9,6 @@
 #include <vtkType.h>
 
 #include <array>
-#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #ifndef Departure_h
 #define Departure_h
 
-#include "Math/Vector.h"
 #include "Rays/Hit.h"
 #include "Rays/RayPacket.h"
 

@@ -11,7 +11,6 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -76,8 +75,6 @@ public:
   /// There must be a member.
   explicit FieldSet(const std::vector<PlacedField>& fields);
   ~FieldSet() override;
-
-  std::size_t GetNumberOfMembers() const { return this->NumberOfMembers; }
 
   void Select(const TraceRequest& request, const Execution& execution,
     const MemoryBudget& budget = {}) override;

@@ -18,7 +18,6 @@
 #include "Rays/TraceRequest.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 

@@ -11,7 +11,6 @@
 #include "Math/TrilinearCell.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 

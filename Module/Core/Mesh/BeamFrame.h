@@ -6,10 +6,7 @@
 
 #include "Field/TracedField.h"
 #include "Kernels/BeamPieces.h"
-#include "Math/Vector.h"
 #include "Rays/RayPacket.h"
-
-#include <cstddef>
 
 // Rays through one point, and parallel ones, are points of a plane across an axis: the label of a
 // ray is where it meets the plane. Their slopes are linear functions of their labels (parallel rays

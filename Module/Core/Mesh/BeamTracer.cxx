@@ -6,8 +6,6 @@
 #include "Math/Arithmetic.h"
 #include "Math/Compiler.h"
 
-#include <algorithm>
-
 namespace vtkIsosurfaceRayTracing
 {
 namespace

@@ -8,7 +8,6 @@
 #include "Mesh/MeshCells.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing

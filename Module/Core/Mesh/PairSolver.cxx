@@ -3,7 +3,6 @@
 
 #include "Mesh/PairSolver.h"
 
-#include "Math/Arithmetic.h"
 #include "Math/Compiler.h"
 
 #include <algorithm>

@@ -72,8 +72,7 @@ public:
   /// What t changes by on such a way along the axis.
   double ToT(double length) const { return length * std::abs(this->Numbers.Inverse); }
 
-  /// The longest axis, and the two across.
-  std::size_t GetAlong() const { return this->Along; }
+  /// The axes across the longest one.
   std::size_t AcrossX() const { return (this->Along + 1) % 3; }
   std::size_t AcrossY() const { return (this->Along + 2) % 3; }
 

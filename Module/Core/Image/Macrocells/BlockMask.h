@@ -7,7 +7,6 @@
 #include "Math/Vector.h"
 
 #include <cstdint>
-#include <utility>
 
 namespace vtkIsosurfaceRayTracing
 {

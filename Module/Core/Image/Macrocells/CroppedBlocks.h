@@ -8,7 +8,6 @@
 #include "Image/Macrocells/BlockMask.h"
 #include "Rays/Visibility.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>

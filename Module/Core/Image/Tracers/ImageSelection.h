@@ -19,7 +19,6 @@
 #include "Rays/RayPacket.h"
 #include "Rays/TraceRequest.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>

@@ -6,7 +6,6 @@
 #include "Image/Cells/CellSegment.h"
 #include "Image/Traversal/CandidateSets.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace vtkIsosurfaceRayTracing

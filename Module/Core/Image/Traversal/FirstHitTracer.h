@@ -5,8 +5,8 @@
 #define FirstHitTracer_h
 
 #include "Image/Lattice/CellLattice.h"
-#include "Image/Lattice/Ray.h"
 #include "Image/Traversal/CellQueueTracer.h"
+#include "Rays/CellCrossings.h"
 #include "Rays/Hit.h"
 
 #include <array>

@@ -10,7 +10,6 @@
 #include "Math/Compiler.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
