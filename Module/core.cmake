@@ -3,6 +3,7 @@
 
 set(core_sources
   Amr/AmrHierarchy.cxx
+  Amr/AmrNodes.cxx
   Image/Lattice/Ray.cxx
   Kernels/InstructionSets.cxx
   Field/BoundsTree.cxx

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace vtkIsosurfaceRayTracing
@@ -359,51 +359,6 @@ private:
   std::vector<std::map<Index3, std::optional<double>>> Coarser;
   std::vector<std::map<Index3, double>> Means;
 };
-
-//------------------------------------------------------------------------------
-void AmrNodes::Shorten()
-{
-  constexpr double largest = std::numeric_limits<float>::max();
-  std::vector<double> rounded = this->Values;
-  for (const std::size_t place : this->Continued)
-  {
-    double& value = rounded[place];
-    value = std::abs(value) <= largest ? static_cast<double>(static_cast<float>(value)) : value;
-  }
-  const bool areSame = std::all_of(rounded.begin(), rounded.end(),
-    [](double value)
-    {
-      return !std::isfinite(value) ||
-        (std::abs(value) <= largest && static_cast<double>(static_cast<float>(value)) == value);
-    });
-  if (areSame)
-  {
-    this->Singles.assign(rounded.begin(), rounded.end());
-    this->Values = {};
-  }
-  this->Continued = {};
-}
-
-//------------------------------------------------------------------------------
-VolumeView AmrNodes::GetSamples() const
-{
-  const std::size_t first = Offset({ 1, 1, 1 }, this->Dimensions);
-  const bool areSingle = this->Values.empty();
-  VolumeView view;
-  view.Type = areSingle ? ScalarType::Float32 : ScalarType::Float64;
-  view.Samples = areSingle ? static_cast<const void*>(this->Singles.data() + first)
-                           : this->Values.data() + first;
-  view.Dimensions = { this->Dimensions[0] - 1, this->Dimensions[1] - 1, this->Dimensions[2] - 1 };
-  view.Before = 1;
-  return view;
-}
-
-//------------------------------------------------------------------------------
-std::size_t AmrNodes::GetMemory() const
-{
-  return this->Values.size() * sizeof(double) + this->Singles.size() * sizeof(float) +
-    this->HiddenCells.size();
-}
 
 //------------------------------------------------------------------------------
 AmrHierarchy::AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> patches, bool ofCells)
@@ -961,40 +916,43 @@ AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
 }
 
 //------------------------------------------------------------------------------
-/// Hides cells of the layer behind a region that are behind hidden ones, and have nothing of their
-/// own to show: rays of projections go on into them.
-void AmrHierarchy::HideBehind(const AmrRegion& region, std::vector<unsigned char>& isHidden) const
+/// Which cells of a region, and of the layer behind it, are hidden.
+class AmrHierarchy::HiddenCells
 {
-  const Index3 size = { region.Cells[0] + 1, region.Cells[1] + 1, region.Cells[2] + 1 };
-  ForEachIndex({ 0, 0, 0 }, size,
-    [&](const Index3& place)
-    {
-      Index3 last;
-      Index3 cell;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        last[axis] = std::min(place[axis], region.Cells[axis] - 1);
-        cell[axis] = region.First[axis] + place[axis];
-      }
-      if (place != last && isHidden[Offset(last, size)] != 0 && !this->IsShown(region.Level, cell))
-      {
-        isHidden[Offset(place, size)] = 1;
-      }
-    });
-}
+public:
+  explicit HiddenCells(const AmrRegion& region)
+    : First(region.First)
+    , Size{ region.Cells[0] + 1, region.Cells[1] + 1, region.Cells[2] + 1 }
+    , Flags(Count(this->Size), 0)
+  {
+  }
+
+  const Index3& GetSize() const { return this->Size; }
+  bool IsEmpty() const
+  {
+    return std::find(this->Flags.begin(), this->Flags.end(), 1) == this->Flags.end();
+  }
+
+  /// Cells are on the lattice of the level.
+  bool Has(const Index3& cell) const { return this->Flags[this->GetPlace(cell)] != 0; }
+  void Add(const Index3& cell) { this->Flags[this->GetPlace(cell)] = 1; }
+
+private:
+  std::size_t GetPlace(const Index3& cell) const
+  {
+    return Offset(
+      { cell[0] - this->First[0], cell[1] - this->First[1], cell[2] - this->First[2] }, this->Size);
+  }
+
+  Index3 First;
+  Index3 Size;
+  std::vector<unsigned char> Flags;
+};
 
 //------------------------------------------------------------------------------
-/// Cells behind the region count, too: a ray in a face of it may be taken for one in these.
-void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
+/// Hides the cells that patches of a region do not have, or do not show.
+void AmrHierarchy::HideOwn(const AmrRegion& region, HiddenCells& hidden) const
 {
-  const Index3 size = { region.Cells[0] + 1, region.Cells[1] + 1, region.Cells[2] + 1 };
-  std::vector<unsigned char> isHidden(Count(size), 0);
-  const auto hide = [&](const Index3& cell)
-  {
-    isHidden[Offset(
-      { cell[0] - region.First[0], cell[1] - region.First[1], cell[2] - region.First[2] }, size)] =
-      1;
-  };
   for (const std::size_t number : region.Patches)
   {
     const AmrPatch& patch = this->Patches[number];
@@ -1005,12 +963,20 @@ void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
         if ((patch.GhostCells && patch.GhostCells[place] != 0) ||
           (patch.HiddenCells && patch.HiddenCells[place] != 0))
         {
-          hide(cell);
+          hidden.Add(cell);
         }
       });
   }
+}
+
+//------------------------------------------------------------------------------
+/// Hides the cells in place of which others count: finer ones, and those of the patches of the
+/// level that come first. Cells behind the region count, too: a ray in a face of it may be taken
+/// for one in these.
+void AmrHierarchy::HideReplaced(const AmrRegion& region, HiddenCells& hidden) const
+{
   // In cells of each level.
-  Bounds around = GetBox(region.First, size);
+  Bounds around = GetBox(region.First, hidden.GetSize());
   Index3 ratio = { 1, 1, 1 };
   for (auto level = static_cast<std::size_t>(region.Level); level < this->Levels.size(); ++level)
   {
@@ -1044,16 +1010,44 @@ void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
           {
             if (!isOwnLevel || (IsIn(region, cell) && Owns(other, cell)))
             {
-              hide(cell);
+              hidden.Add(cell);
             }
           });
       });
   }
-  if (std::find(isHidden.begin(), isHidden.end(), 1) == isHidden.end())
+}
+
+//------------------------------------------------------------------------------
+/// Hides cells of the layer behind a region that are behind hidden ones, and have nothing of their
+/// own to show: rays of projections go on into them.
+void AmrHierarchy::HideBehind(const AmrRegion& region, HiddenCells& hidden) const
+{
+  ForEachIndex(region.First, hidden.GetSize(),
+    [&](const Index3& cell)
+    {
+      Index3 last;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        last[axis] = std::min(cell[axis], region.First[axis] + region.Cells[axis] - 1);
+      }
+      if (cell != last && hidden.Has(last) && !this->IsShown(region.Level, cell))
+      {
+        hidden.Add(cell);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
+{
+  HiddenCells hidden(region);
+  this->HideOwn(region, hidden);
+  this->HideReplaced(region, hidden);
+  if (hidden.IsEmpty())
   {
     return;
   }
-  this->HideBehind(region, isHidden);
+  this->HideBehind(region, hidden);
   const int nodesOfCell = this->GetNodesOfCell();
   const Index3 cells = { nodes.Dimensions[0] - 2, nodes.Dimensions[1] - 2,
     nodes.Dimensions[2] - 2 };
@@ -1064,9 +1058,9 @@ void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
       Index3 cell;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        cell[axis] = i[axis] / nodesOfCell;
+        cell[axis] = region.First[axis] + i[axis] / nodesOfCell;
       }
-      nodes.HiddenCells[Offset(i, cells)] = isHidden[Offset(cell, size)];
+      nodes.HiddenCells[Offset(i, cells)] = hidden.Has(cell) ? 1 : 0;
     });
 }
 

@@ -4,6 +4,7 @@
 #ifndef AmrHierarchy_h
 #define AmrHierarchy_h
 
+#include "Amr/AmrNodes.h"
 #include "Field/BoundsTree.h"
 #include "Image/Samples/VolumeView.h"
 
@@ -11,7 +12,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -43,30 +43,6 @@ struct AmrRegion
   Index3 First;
   Index3 Cells;
   std::vector<std::size_t> Patches;
-};
-
-/// The samples of a region, as they are traced: at nodes, with a layer of them around the region.
-struct AmrNodes
-{
-  /// Of all of the nodes.
-  Index3 Dimensions;
-  /// In double precision, or in single.
-  std::vector<double> Values;
-  std::vector<float> Singles;
-  /// The places of those behind the data, which continue them for one-sided differences.
-  std::vector<std::size_t> Continued;
-  /// One for each cell of the samples, not zero where finer cells count, or none.
-  std::vector<unsigned char> HiddenCells;
-
-  /// Keeps the values in single precision, if that changes none of them but for those behind the
-  /// data, which it rounds: those of samples often are of a smaller type, means of them are not.
-  void Shorten();
-
-  /// The nodes of the region and those of the layer behind it, before which there is a node along
-  /// each axis. So no ray slips through between two regions: it goes on a little into the layer
-  /// behind the first, whatever rounding makes of the border.
-  VolumeView GetSamples() const;
-  std::size_t GetMemory() const;
 };
 
 /// The least and the largest of some values; the largest is less if there are none.
@@ -131,6 +107,7 @@ private:
     void ForEachIn(const Bounds& box, const Visit& visit) const;
   };
   class NodeReader;
+  class HiddenCells;
 
   /// Patches that were found lately, of a level.
   struct Likely
@@ -156,7 +133,9 @@ private:
   void Split(AmrRegion&& region, std::vector<AmrRegion>& regions) const;
   std::vector<double> GatherSamples(const AmrRegion& region, Index3& dimensions) const;
   bool FillInner(const AmrRegion& region, AmrNodes& nodes) const;
-  void HideBehind(const AmrRegion& region, std::vector<unsigned char>& isHidden) const;
+  void HideOwn(const AmrRegion& region, HiddenCells& hidden) const;
+  void HideReplaced(const AmrRegion& region, HiddenCells& hidden) const;
+  void HideBehind(const AmrRegion& region, HiddenCells& hidden) const;
   void HideCells(const AmrRegion& region, AmrNodes& nodes) const;
 
   bool OfCells;
