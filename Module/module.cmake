@@ -42,6 +42,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceHolder
   Rendering/vtkIsosurfaceRayTraceImageDisplay
   Rendering/vtkIsosurfaceRayTraceInput
+  Rendering/vtkIsosurfaceRayTraceInputBounds
   Rendering/vtkIsosurfaceRayTraceInputs
   Rendering/vtkIsosurfaceRayTraceLattices
   Rendering/vtkIsosurfaceRayTraceLayers
@@ -52,6 +53,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTracePicture
   Rendering/vtkIsosurfaceRayTracePolyhedron
   Rendering/vtkIsosurfaceRayTraceProblems
+  Rendering/vtkIsosurfaceRayTraceReporter
   Rendering/vtkIsosurfaceRayTraceRequest
   Rendering/vtkIsosurfaceRayTraceScalars
   Rendering/vtkIsosurfaceRayTraceScene

@@ -18,10 +18,7 @@
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
-#include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -31,15 +28,12 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
-#include "vtkUniformGridAMR.h"
 #include "vtkVolume.h"
 
 #include "Field/Stopwatch.h"
@@ -48,8 +42,6 @@
 #include <cstdint>
 #include <exception>
 #include <limits>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,39 +53,6 @@ namespace vtkirt = vtkIsosurfaceRayTracing;
 namespace
 {
 
-/// Forgets what was reported, if that is of very many volumes, most of which may be gone.
-template <typename Reports>
-void Forget(Reports& reports)
-{
-  constexpr std::size_t many = 1000;
-  if (reports.size() > many)
-  {
-    reports.clear();
-  }
-}
-
-/// Of AMR data, which VTK's function for this does not know.
-void FindVisibleBounds(
-  vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
-{
-  vtkBoundingBox visible;
-  const auto iterator = vtk::TakeSmartPointer(data->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    vtkDataObject* block = iterator->GetCurrentDataObject();
-    auto* grid = vtkDataSet::SafeDownCast(block);
-    if (grid && (!attributes->HasBlockVisibility(block) || attributes->GetBlockVisibility(block)))
-    {
-      visible.AddBounds(grid->GetBounds());
-    }
-  }
-  vtkMath::UninitializeBounds(bounds);
-  if (visible.IsValid())
-  {
-    visible.GetBounds(bounds);
-  }
-}
-
 /// Told of the fraction done; false stops.
 using KeepGoing = std::function<bool(double)>;
 
@@ -104,24 +63,6 @@ bool Contains(const vtkirt::PixelRectangle& pixels, const vtkirt::PixelRectangle
   const std::int64_t x = column - viewport.X - pixels.X;
   const std::int64_t y = row - viewport.Y - pixels.Y;
   return x >= 0 && x < pixels.Width && y >= 0 && y < pixels.Height;
-}
-
-/// Makes bounds those of what is in them after a transformation.
-void Transform(vtkMatrix4x4* matrix, double bounds[6])
-{
-  vtkBoundingBox moved;
-  for (int corner = 0; corner < 8 && vtkMath::AreBoundsInitialized(bounds); ++corner)
-  {
-    const double point[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
-      bounds[4 + (corner >> 2)], 1.0 };
-    double result[4];
-    matrix->MultiplyPoint(point, result);
-    moved.AddPoint(result);
-  }
-  if (moved.IsValid())
-  {
-    moved.GetBounds(bounds);
-  }
 }
 
 /// A square of rays through a face of a box, from outside. Small squares of them follow each other:
@@ -168,41 +109,12 @@ void Copy(const vtkIsosurfaceRayTraceHits::Description& hit, double x[3], double
 }
 
 //------------------------------------------------------------------------------
-/// While a use that is allowed lives, what is reported is of a volume in a renderer, which may be
-/// null. Uses of observers are within others.
-class vtkIsosurfaceRayTraceEngine::Reporting
-{
-public:
-  Reporting(vtkIsosurfaceRayTraceEngine& engine, const vtkIsosurfaceRayTraceUse& use,
-    const vtkVolume* volume, const vtkRenderer* renderer)
-    : Engine(use.IsAllowed() ? &engine : nullptr)
-  {
-    if (this->Engine)
-    {
-      this->Before = std::exchange(engine.Reported, { volume, renderer });
-    }
-  }
-  ~Reporting()
-  {
-    if (this->Engine)
-    {
-      this->Engine->Reported = this->Before;
-    }
-  }
-  Reporting(const Reporting&) = delete;
-  void operator=(const Reporting&) = delete;
-
-private:
-  vtkIsosurfaceRayTraceEngine* Engine;
-  VolumeInRenderer Before;
-};
-
-//------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceEngine::vtkIsosurfaceRayTraceEngine(
   vtkAbstractVolumeMapper* mapper, Client client)
   : Mapper(mapper)
   , TheClient(std::move(client))
   , Uses(this->TheClient.NewInput)
+  , Reporter(mapper, this->TheClient.MemoryRemedy)
 {
 }
 
@@ -251,77 +163,22 @@ bool vtkIsosurfaceRayTraceEngine::FindBounds(
   vtkCompositeDataDisplayAttributes* attributes, double bounds[6])
 try
 {
-  const int connections = this->Mapper->GetNumberOfInputConnections(0);
-  if (connections < 2 && !vtkCompositeDataSet::SafeDownCast(this->Mapper->GetDataObjectInput()) &&
+  if (this->Mapper->GetNumberOfInputConnections(0) < 2 &&
+    !vtkCompositeDataSet::SafeDownCast(this->Mapper->GetDataObjectInput()) &&
     !this->TheClient.GetConnectionVolume(0))
   {
     return false;
   }
   vtkMath::UninitializeBounds(bounds);
   UpdateInputs(this->Mapper);
-  vtkBoundingBox all;
-  this->Blocks.resize(static_cast<std::size_t>(connections));
-  for (int i = 0; i < connections; ++i)
-  {
-    double own[6];
-    vtkMath::UninitializeBounds(own);
-    vtkDataObject* data = this->Mapper->GetInputDataObject(0, i);
-    if (auto* grid = vtkDataSet::SafeDownCast(data))
-    {
-      grid->GetBounds(own);
-    }
-    else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-    {
-      this->FindBoundsOfBlocks(
-        composite, attributes, this->Blocks[static_cast<std::size_t>(i)], own);
-    }
-    if (vtkVolume* volume = this->TheClient.GetConnectionVolume(i))
-    {
-      if (!volume->GetVisibility())
-      {
-        continue;
-      }
-      volume->ComputeMatrix();
-      Transform(volume->GetMatrix(), own);
-    }
-    all.AddBounds(own);
-  }
-  if (all.IsValid())
-  {
-    all.GetBounds(bounds);
-  }
+  this->Bounds.Find(this->Mapper, this->TheClient.GetConnectionVolume, attributes,
+    this->TheClient.GetSettings().NumberOfThreads, bounds);
   return true;
 }
 catch (const std::exception& exception)
 {
-  this->ReportException(exception);
+  this->Reporter.ReportException(exception);
   return true;
-}
-
-//------------------------------------------------------------------------------
-/// Finds those of composite data, which were the last ones of a connection, or others.
-void vtkIsosurfaceRayTraceEngine::FindBoundsOfBlocks(vtkCompositeDataSet* data,
-  vtkCompositeDataDisplayAttributes* attributes, BlocksOfConnection& last, double bounds[6]) const
-{
-  if (!last.Found.IsOf(data, attributes, this->TheClient.GetSettings().NumberOfThreads))
-  {
-    last.Found = {};
-    const bool mayBeHidden = attributes && attributes->HasBlockVisibilities();
-    if (mayBeHidden && vtkUniformGridAMR::SafeDownCast(data))
-    {
-      FindVisibleBounds(data, attributes, last.Bounds.data());
-    }
-    else if (mayBeHidden)
-    {
-      vtkCompositeDataDisplayAttributes::ComputeVisibleBounds(attributes, data, last.Bounds.data());
-    }
-    else
-    {
-      data->GetBounds(last.Bounds.data());
-    }
-    last.Found = { data, attributes };
-  }
-  std::copy(last.Bounds.begin(), last.Bounds.end(), bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -418,7 +275,7 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   this->Mapper->Update();
   vtkIsosurfaceRayTraceInputs& inputs = use.GetInputs();
   const vtkIsosurfaceRayTraceRequest::DrawnVolumes volumes = this->FindVolumes(volume);
-  if (this->ReportOnce(this->SelectInputs(inputs, volumes, isOfPiece)))
+  if (this->Reporter.ReportOnce(this->SelectInputs(inputs, volumes, isOfPiece)))
   {
     return nullptr;
   }
@@ -444,9 +301,9 @@ std::unique_ptr<vtkIsosurfaceRayTraceRequest> vtkIsosurfaceRayTraceEngine::MakeR
   }
   if (isBuilt) // Thousands of blocks are not asked in every frame.
   {
-    this->WarnOnce(inputs.GetWarning(), &Warnings::Warning);
+    this->Reporter.WarnOnce(inputs.GetWarning(), vtkIsosurfaceRayTraceReporter::Kind::Input);
   }
-  this->WarnOnce(leftOut, &Warnings::LeftOut);
+  this->Reporter.WarnOnce(leftOut, vtkIsosurfaceRayTraceReporter::Kind::LeftOut);
   auto request = std::make_unique<vtkIsosurfaceRayTraceRequest>(
     settings, inputs, volumes, this->Mapper->GetClippingPlanes());
   const double gradients = inputs.GetGradientSeconds();
@@ -491,7 +348,7 @@ bool vtkIsosurfaceRayTraceEngine::ReadSamples(const vtkIsosurfaceRayTraceUse& us
   this->HierarchyTime += secondsOfReading;
   if (inputs.GetFractionRead() == 1.0)
   {
-    this->WarnOnce(inputs.GetWarning(), &Warnings::Warning);
+    this->Reporter.WarnOnce(inputs.GetWarning(), vtkIsosurfaceRayTraceReporter::Kind::Input);
   }
   return true;
 }
@@ -537,44 +394,10 @@ bool vtkIsosurfaceRayTraceEngine::CheckAbort(
 bool vtkIsosurfaceRayTraceEngine::IsIntact(const vtkIsosurfaceRayTraceRequest& request)
 {
   return request.Inputs.IsIntact(request.Execution.Threads) ||
-    !this->ReportOnce("An observer of this mapper's events has released or made shorter the arrays "
-                      "that were being traced, so the picture is not complete. Change them between "
-                      "frames.");
-}
-
-//------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceEngine::ReportException(const std::exception& exception) const
-{
-  const bool isOfMemory = dynamic_cast<const std::bad_alloc*>(&exception) ||
-    dynamic_cast<const std::length_error*>(&exception);
-  vtkErrorWithObjectMacro(this->Mapper,
-    << (isOfMemory ? "There is not enough memory. " + std::string(this->TheClient.MemoryRemedy)
-                   : std::string(exception.what())));
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceEngine::ReportOnce(const std::string& problem)
-{
-  Forget(this->ProblemsOf);
-  // Before observers of the error come back here.
-  const bool isNew = std::exchange(this->ProblemsOf[this->Reported], problem) != problem;
-  if (isNew && !problem.empty())
-  {
-    vtkErrorWithObjectMacro(this->Mapper, << problem);
-  }
-  return !problem.empty();
-}
-
-//------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceEngine::WarnOnce(const std::string& problem, std::string Warnings::*kind)
-{
-  Forget(this->WarningsOf);
-  std::string& last = this->WarningsOf[this->Reported.first].*kind;
-  const bool isNew = std::exchange(last, problem) != problem;
-  if (isNew && !problem.empty())
-  {
-    vtkWarningWithObjectMacro(this->Mapper, << problem);
-  }
+    !this->Reporter.ReportOnce(
+      "An observer of this mapper's events has released or made shorter the arrays "
+      "that were being traced, so the picture is not complete. Change them between "
+      "frames.");
 }
 
 //------------------------------------------------------------------------------
@@ -616,7 +439,7 @@ try
 }
 catch (const std::exception& exception)
 {
-  this->ReportException(exception);
+  this->Reporter.ReportException(exception);
   return Opacity::None;
 }
 
@@ -630,14 +453,14 @@ try
   {
     return 0.0;
   }
-  const Reporting reporting(*this, use, volume, renderer);
+  const vtkIsosurfaceRayTraceReporter::Scope scope(this->Reporter, use, volume, renderer);
   const std::string problem = use.IsNested()
     ? "An observer of this mapper's events renders it, which is tracing already. Render when the "
       "frame is complete: the render window sends vtkCommand::EndEvent then."
     : vtkIsosurfaceRayTraceFrame::FindProblem(renderer, volume);
   if (!problem.empty())
   {
-    this->ReportOnce(problem);
+    this->Reporter.ReportOnce(problem);
     return 0.0;
   }
   this->HierarchyTime = 0.0;
@@ -665,9 +488,9 @@ try
   }
   if (isHintSafe && request->Inputs.GetFractionRead() == 1.0)
   {
-    this->WarnOnce(
+    this->Reporter.WarnOnce(
       vtkIsosurfaceRayTraceHints::FindInRequest(*request, this->TheClient.GetSettings()),
-      &Warnings::Hint);
+      vtkIsosurfaceRayTraceReporter::Kind::Hint);
   }
 
   const bool isComplete =
@@ -679,7 +502,7 @@ try
 }
 catch (const std::exception& exception)
 {
-  this->ReportException(exception);
+  this->Reporter.ReportException(exception);
   return 0.0;
 }
 
@@ -709,7 +532,7 @@ try
 }
 catch (const std::exception& exception)
 {
-  this->ReportException(exception);
+  this->Reporter.ReportException(exception);
   return false;
 }
 
@@ -726,7 +549,7 @@ int vtkIsosurfaceRayTraceEngine::IntersectWithLine(vtkVolume* volume, const doub
 try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const Reporting reporting(*this, use, volume, nullptr);
+  const vtkIsosurfaceRayTraceReporter::Scope scope(this->Reporter, use, volume, nullptr);
   const auto request = use.IsAllowed() && volume ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
   {
@@ -747,7 +570,7 @@ try
 }
 catch (const std::exception& exception)
 {
-  this->ReportException(exception);
+  this->Reporter.ReportException(exception);
   return 0;
 }
 
@@ -766,7 +589,7 @@ try
   }
   output->Initialize();
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const Reporting reporting(*this, use, volume, nullptr);
+  const vtkIsosurfaceRayTraceReporter::Scope scope(this->Reporter, use, volume, nullptr);
   const auto request = use.IsAllowed() ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
   {
@@ -787,7 +610,7 @@ try
 }
 catch (const std::exception& exception)
 {
-  this->ReportException(exception);
+  this->Reporter.ReportException(exception);
   return false;
 }
 
@@ -812,7 +635,7 @@ try
 }
 catch (const std::exception& exception)
 {
-  this->ReportException(exception);
+  this->Reporter.ReportException(exception);
   return false;
 }
 
@@ -859,7 +682,7 @@ int vtkIsosurfaceRayTraceEngine::PickPixel(vtkRenderer* renderer, vtkVolume* vol
 try
 {
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const Reporting reporting(*this, use, volume, renderer);
+  const vtkIsosurfaceRayTraceReporter::Scope scope(this->Reporter, use, volume, renderer);
   const bool isPossible = use.IsAllowed() && renderer && volume;
   const auto request = isPossible ? this->MakeCompleteRequest(use, volume) : nullptr;
   if (!request)
@@ -868,7 +691,7 @@ try
   }
   const vtkirt::Matrix4 clipFromWorld = vtkIsosurfaceRayTraceScene::GetClipFromWorld(
     renderer->GetActiveCamera(), renderer->GetTiledAspectRatio());
-  if (this->ReportOnce(
+  if (this->Reporter.ReportOnce(
         vtkIsosurfaceRayTraceProblems::FindInView(clipFromWorld, renderer->GetLights())))
   {
     return 0;
@@ -898,7 +721,7 @@ try
 }
 catch (const std::exception& exception)
 {
-  this->ReportException(exception);
+  this->Reporter.ReportException(exception);
   return 0;
 }
 
@@ -929,7 +752,7 @@ bool vtkIsosurfaceRayTraceEngine::RenderToImage(
           vtkIsosurfaceRayTraceScene::GetClipFromWorld(
             view.Camera, static_cast<double>(view.Width) / view.Height));
       }
-      this->WarnOnce(hint, &Warnings::Hint);
+      this->Reporter.WarnOnce(hint, vtkIsosurfaceRayTraceReporter::Kind::Hint);
     });
 }
 
@@ -1043,7 +866,7 @@ try
     return false;
   }
   const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const Reporting reporting(*this, use, volume, nullptr);
+  const vtkIsosurfaceRayTraceReporter::Scope scope(this->Reporter, use, volume, nullptr);
   const auto request =
     use.IsAllowed() ? this->MakeCompleteRequest(use, volume, view.IsOfPiece) : nullptr;
   if (!request)
@@ -1052,7 +875,8 @@ try
   }
   const vtkirt::Matrix4 clipFromWorld = vtkIsosurfaceRayTraceScene::GetClipFromWorld(
     view.Camera, static_cast<double>(view.Width) / view.Height);
-  if (this->ReportOnce(vtkIsosurfaceRayTraceProblems::FindInView(clipFromWorld, view.Lights)))
+  if (this->Reporter.ReportOnce(
+        vtkIsosurfaceRayTraceProblems::FindInView(clipFromWorld, view.Lights)))
   {
     return false;
   }
@@ -1086,7 +910,7 @@ try
 }
 catch (const std::exception& exception)
 {
-  this->ReportException(exception);
+  this->Reporter.ReportException(exception);
   return false;
 }
 

@@ -7,24 +7,20 @@
 #ifndef vtkIsosurfaceRayTraceEngine_h
 #define vtkIsosurfaceRayTraceEngine_h
 
-#include "vtkIsosurfaceRayTraceFrame.h"    // for ivars
-#include "vtkIsosurfaceRayTraceRequest.h"  // for arguments
-#include "vtkIsosurfaceRayTraceSnapshot.h" // for ivars
-#include "vtkIsosurfaceRayTraceUse.h"      // for ivars
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTraceFrame.h"       // for ivars
+#include "vtkIsosurfaceRayTraceInputBounds.h" // for ivars
+#include "vtkIsosurfaceRayTraceReporter.h"    // for ivars
+#include "vtkIsosurfaceRayTraceRequest.h"     // for arguments
+#include "vtkIsosurfaceRayTraceUse.h"         // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"    // for VTK_ABI_NAMESPACE_BEGIN
 
 #include "Field/TracedField.h"
 #include "Picture/RenderSharedTiles.h"
 #include "Picture/RenderTiles.h"
 
-#include <array>      // for std::array
-#include <exception>  // for std::exception
 #include <functional> // for std::function
-#include <map>        // for std::map
 #include <memory>     // for std::unique_ptr
 #include <string>     // for std::string
-#include <utility>    // for std::pair
-#include <vector>     // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -34,7 +30,6 @@ class vtkAlgorithm;
 class vtkBoundingBox;
 class vtkCamera;
 class vtkCompositeDataDisplayAttributes;
-class vtkCompositeDataSet;
 class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
@@ -146,26 +141,6 @@ public:
   int GetNumberOfAccumulatedFrames() const { return this->NumberOfAccumulatedFrames; }
 
 private:
-  /// The blocks that a connection had when their bounds were asked for last.
-  struct BlocksOfConnection
-  {
-    vtkIsosurfaceRayTraceSnapshot Found;
-    std::array<double, 6> Bounds = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  };
-
-  void FindBoundsOfBlocks(vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes,
-    BlocksOfConnection& last, double bounds[6]) const;
-  class Reporting;
-  using VolumeInRenderer = std::pair<const vtkVolume*, const vtkRenderer*>;
-
-  /// What was warned of last.
-  struct Warnings
-  {
-    std::string LeftOut;
-    std::string Warning;
-    std::string Hint;
-  };
-
   /// Selects what to trace of inputs, one for each connection. Returns why they cannot be traced;
   /// empty if they can.
   std::string SelectInputs(vtkIsosurfaceRayTraceInputs& inputs,
@@ -173,13 +148,6 @@ private:
   vtkIsosurfaceRayTraceRequest::DrawnVolumes FindVolumes(vtkVolume* drawn) const;
   bool AddHitsThroughFaces(vtkVolume* volume, int count, vtkBoundingBox& found);
   bool MayHit(vtkVolume* volume);
-  /// Reports a problem, if there is one and it was not reported before: once, not in every frame.
-  /// Returns whether there is.
-  bool ReportOnce(const std::string& problem);
-  /// Warns of something, unless that was the last warning of its kind.
-  void WarnOnce(const std::string& problem, std::string Warnings::*kind);
-  /// That of memory which is refused says what to do.
-  void ReportException(const std::exception& exception) const;
   /// Updates the input, and makes the request of a volume. Returns null, and reports why, if it
   /// cannot be traced.
   std::unique_ptr<vtkIsosurfaceRayTraceRequest> MakeRequest(const vtkIsosurfaceRayTraceUse& use,
@@ -215,12 +183,8 @@ private:
   Client TheClient;
   vtkIsosurfaceRayTraceUseState Uses;
   vtkIsosurfaceRayTraceFrame Frame;
-  std::vector<BlocksOfConnection> Blocks;
-  /// Of each volume, and the last problem of each in each renderer, or without one. They may be
-  /// gone.
-  std::map<const vtkVolume*, Warnings> WarningsOf;
-  std::map<VolumeInRenderer, std::string> ProblemsOf;
-  VolumeInRenderer Reported;
+  vtkIsosurfaceRayTraceReporter Reporter;
+  vtkIsosurfaceRayTraceInputBounds Bounds;
   double HierarchyTime = 0.0;
   double GradientTime = 0.0;
   vtkIsosurfaceRayTracing::FrameTimes Times;
