@@ -59,11 +59,9 @@ bool IsTraced(int shape)
   return vtkirt::GetTraits(static_cast<CellShape>(shape)).Corners > 0;
 }
 
-/// Whether cells of a type have three dimensions.
 bool IsSolid(int type)
 {
-  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
-  return cell && cell->GetCellDimension() == 3;
+  return vtkIsosurfaceRayTraceSubdivision::IsSolid(type);
 }
 
 /// Whether a grid has cells of a type that is asked for. (VTK's list of the types that a grid has

@@ -192,19 +192,26 @@ void TriangulateFaces(vtkCell* cell, vtkIdList* ids)
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceSubdivision::vtkIsosurfaceRayTraceSubdivision(int type)
-  : PartType(VTK_TETRA)
+  : HasVolume(IsSolid(type))
+  , PartType(VTK_TETRA)
 {
-  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
-  this->HasVolume = cell && cell->GetCellDimension() == 3;
   this->IsPolyhedron = type == VTK_POLYHEDRON;
   this->IsPrism = type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM;
   this->IsTriangulatedByPoints = type == VTK_CONVEX_POINT_SET || type == VTK_QUADRATIC_PYRAMID;
   // Cells of later types may have any number of points.
   if (this->HasVolume && type < VTK_CONVEX_POINT_SET)
   {
+    const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
     this->Points = cell->GetNumberOfPoints();
     this->ChooseWay(cell);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceSubdivision::IsSolid(int type)
+{
+  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+  return cell && cell->GetCellDimension() == 3;
 }
 
 //------------------------------------------------------------------------------

@@ -37,8 +37,11 @@ public:
   vtkIsosurfaceRayTraceSubdivision(const vtkIsosurfaceRayTraceSubdivision&) = delete;
   void operator=(const vtkIsosurfaceRayTraceSubdivision&) = delete;
 
-  /// Whether cells have three dimensions. Others have no parts.
+  ///@{
+  /// Whether cells of a type have three dimensions. Others have no parts.
+  static bool IsSolid(int type);
   bool IsSolid() const { return this->HasVolume; }
+  ///@}
 
   /// Whether a cell may have so many points.
   bool MayHave(vtkIdType points) const { return this->Points == 0 || this->Points == points; }
@@ -63,7 +66,7 @@ private:
   void DividePolyhedron(vtkCell* cell, vtkIdList* ids);
   void TriangulatePoints(vtkCell* cell, vtkIdList* ids);
 
-  bool HasVolume = false;
+  bool HasVolume;
   /// Zero if not all cells have the same number.
   vtkIdType Points = 0;
   int PartType;
