@@ -5,6 +5,7 @@
 #define MeshCells_h
 
 #include "Kernels/BeamPieces.h"
+#include "Kernels/MeshCellArrays.h"
 #include "Math/Compiler.h"
 #include "Mesh/CornerOrder.h"
 #include "Mesh/MeshCell.h"

@@ -4,7 +4,7 @@
 #ifndef PointGradients_h
 #define PointGradients_h
 
-#include "Kernels/BeamPieces.h"
+#include "Kernels/MeshCellArrays.h"
 #include "Math/Compiler.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"

@@ -50,6 +50,8 @@ public:
   }
 
 private:
+  static_assert(PassedCellRecords::Capacity == PackedPieces::Capacity);
+
   PassedCellRecords Records;
   BeamPieces OfOne;
 };
