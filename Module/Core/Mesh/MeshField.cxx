@@ -25,7 +25,6 @@
 
 namespace vtkIsosurfaceRayTracing
 {
-
 namespace
 {
 
@@ -37,6 +36,32 @@ IsovalueSpan FindSpan(double isovalue)
   return { std::nextafterf(from, -HUGE_VALF), from };
 }
 
+/// Appends the caps of rays to their hits.
+void AppendCaps(const std::vector<Cap>& caps, RayHits& hits)
+{
+  if (caps.empty())
+  {
+    return;
+  }
+  std::vector<Hit> all;
+  all.reserve(hits.Hits.size() + caps.size());
+  auto cap = caps.begin();
+  std::size_t first = 0;
+  for (int ray = 0; static_cast<std::size_t>(ray) + 1 < hits.First.size(); ++ray)
+  {
+    std::size_t& next = hits.First[static_cast<std::size_t>(ray) + 1];
+    const auto begin = hits.Hits.begin();
+    all.insert(all.end(), begin + static_cast<std::ptrdiff_t>(first),
+      begin + static_cast<std::ptrdiff_t>(next));
+    if (cap != caps.end() && cap->Ray == ray)
+    {
+      all.push_back(cap++->TheHit);
+    }
+    first = std::exchange(next, all.size());
+  }
+  hits.Hits = std::move(all);
+}
+
 }
 
 /// What a thread traces packets with.
@@ -45,7 +70,7 @@ class MeshField::ThreadBeam final : public Beam
 public:
   MeshBeam Pieces;
   BeamTracer Tracer;
-  LoneTracer OfOthers;
+  LoneTracer LoneRays;
   HitsOfRays Hits;
 };
 
@@ -303,41 +328,10 @@ RaySet MeshField::TraceTogether(
   ForEachRay(others, [&thread](int ray) { thread.Hits.RemoveAll(ray); });
   if (!IsEmpty(others))
   {
-    const RaySet lone =
-      thread.OfOthers.Trace(this->Selection, packet, others, departures, thread.Hits);
-    for (std::size_t word = 0; word < 2; ++word)
-    {
-      traced.Words[word] |= lone.Words[word];
-    }
+    traced = Unite(
+      traced, thread.LoneRays.Trace(this->Selection, packet, others, departures, thread.Hits));
   }
   return traced;
-}
-
-//------------------------------------------------------------------------------
-/// Appends the caps of rays to their hits.
-void AppendCaps(const std::vector<Cap>& caps, RayHits& hits)
-{
-  if (caps.empty())
-  {
-    return;
-  }
-  std::vector<Hit> all;
-  all.reserve(hits.Hits.size() + caps.size());
-  auto cap = caps.begin();
-  std::size_t first = 0;
-  for (int ray = 0; static_cast<std::size_t>(ray) + 1 < hits.First.size(); ++ray)
-  {
-    std::size_t& next = hits.First[static_cast<std::size_t>(ray) + 1];
-    const auto begin = hits.Hits.begin();
-    all.insert(all.end(), begin + static_cast<std::ptrdiff_t>(first),
-      begin + static_cast<std::ptrdiff_t>(next));
-    if (cap != caps.end() && cap->Ray == ray)
-    {
-      all.push_back(cap++->TheHit);
-    }
-    first = std::exchange(next, all.size());
-  }
-  hits.Hits = std::move(all);
 }
 
 //------------------------------------------------------------------------------

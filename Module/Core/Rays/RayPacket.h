@@ -19,6 +19,56 @@ struct RaySet
   std::uint64_t Words[2];
 };
 
+inline bool Has(const RaySet& set, int ray)
+{
+  return (set.Words[ray / 64] >> (ray % 64) & 1) != 0;
+}
+
+inline void Add(int ray, RaySet& set)
+{
+  set.Words[ray / 64] |= std::uint64_t{ 1 } << (ray % 64);
+}
+
+inline void Remove(int ray, RaySet& set)
+{
+  set.Words[ray / 64] &= ~(std::uint64_t{ 1 } << (ray % 64));
+}
+
+/// Those of a set that are not in another one.
+inline RaySet Without(const RaySet& set, const RaySet& other)
+{
+  return { { set.Words[0] & ~other.Words[0], set.Words[1] & ~other.Words[1] } };
+}
+
+/// Those of both sets.
+inline RaySet Unite(const RaySet& set, const RaySet& other)
+{
+  return { { set.Words[0] | other.Words[0], set.Words[1] | other.Words[1] } };
+}
+
+/// Calls visit(ray) for those in a set.
+template <typename Visit>
+void ForEachRay(const RaySet& set, const Visit& visit)
+{
+  for (int word = 0; word < 2; ++word)
+  {
+    for (std::uint64_t rays = set.Words[word]; rays != 0; rays &= rays - 1)
+    {
+      visit(64 * word + LowestBit(rays));
+    }
+  }
+}
+
+inline bool IsEmpty(const RaySet& set)
+{
+  return (set.Words[0] | set.Words[1]) == 0;
+}
+
+inline int CountOf(const RaySet& set)
+{
+  return CountBits(set.Words[0]) + CountBits(set.Words[1]);
+}
+
 /// Rays that are traced side by side, in arrays.
 struct RayPacket
 {
@@ -58,7 +108,7 @@ struct RayPacket
     }
     this->Begin[ray] = begin;
     this->End[ray] = end;
-    this->Exists.Words[ray / 64] |= std::uint64_t{ 1 } << (ray % 64);
+    Add(ray, this->Exists);
   }
 
   Vector3 GetOrigin(int ray) const
@@ -70,50 +120,6 @@ struct RayPacket
     return { this->Direction[0][ray], this->Direction[1][ray], this->Direction[2][ray] };
   }
 };
-
-inline bool Has(const RaySet& set, int ray)
-{
-  return (set.Words[ray / 64] >> (ray % 64) & 1) != 0;
-}
-
-inline void Add(int ray, RaySet& set)
-{
-  set.Words[ray / 64] |= std::uint64_t{ 1 } << (ray % 64);
-}
-
-inline void Remove(int ray, RaySet& set)
-{
-  set.Words[ray / 64] &= ~(std::uint64_t{ 1 } << (ray % 64));
-}
-
-/// Those of a set that are not in another one.
-inline RaySet Without(const RaySet& set, const RaySet& other)
-{
-  return { { set.Words[0] & ~other.Words[0], set.Words[1] & ~other.Words[1] } };
-}
-
-/// Calls visit(ray) for those in a set.
-template <typename Visit>
-void ForEachRay(const RaySet& set, const Visit& visit)
-{
-  for (int word = 0; word < 2; ++word)
-  {
-    for (std::uint64_t rays = set.Words[word]; rays != 0; rays &= rays - 1)
-    {
-      visit(64 * word + LowestBit(rays));
-    }
-  }
-}
-
-inline bool IsEmpty(const RaySet& set)
-{
-  return (set.Words[0] | set.Words[1]) == 0;
-}
-
-inline int CountOf(const RaySet& set)
-{
-  return CountBits(set.Words[0]) + CountBits(set.Words[1]);
-}
 
 }
 
