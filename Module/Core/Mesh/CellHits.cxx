@@ -84,14 +84,6 @@ void GetPoints(
   }
 }
 
-void AddWeights(const FaceCrossing& crossing, double factor, CornerWeights& weights)
-{
-  for (int i = 0; i < crossing.Count; ++i)
-  {
-    weights[crossing.Corners[i]] += factor * crossing.Weights[i];
-  }
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -100,6 +92,17 @@ CellHit MakeCellHit(CellShape shape, const TrilinearSolutions& solutions, int nu
   const double* p = solutions.Parametric[number];
   return { solutions.T[number], GetParametric(shape, Vector3{ p[0], p[1], p[2] }),
     solutions.Entering[number] };
+}
+
+//------------------------------------------------------------------------------
+Vector3 GetParametric(CellShape shape, const FaceCrossing& crossing)
+{
+  CornerWeights weights = {};
+  for (int i = 0; i < crossing.Count; ++i)
+  {
+    weights[crossing.Corners[i]] += crossing.Weights[i];
+  }
+  return GetParametric(shape, weights);
 }
 
 //------------------------------------------------------------------------------
@@ -356,9 +359,7 @@ void CellHits::MatchParity(const FaceCrossing* crossings, int count, const doubl
 //------------------------------------------------------------------------------
 CellHit CellHits::MakeHitOnFace(const FaceCrossing& crossing) const
 {
-  CornerWeights weights = {};
-  AddWeights(crossing, 1.0, weights);
-  return { crossing.T, GetParametric(this->Cell->Shape, weights), false };
+  return { crossing.T, GetParametric(this->Cell->Shape, crossing), false };
 }
 
 //------------------------------------------------------------------------------

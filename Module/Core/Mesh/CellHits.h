@@ -27,6 +27,9 @@ struct CellHit
 /// One of the solutions in a cell of a shape.
 CellHit MakeCellHit(CellShape shape, const TrilinearSolutions& solutions, int number);
 
+/// The point where a ray crosses a face of a cell of a shape, in VTK's parametric coordinates.
+Vector3 GetParametric(CellShape shape, const FaceCrossing& crossing);
+
 /// Finds the hits of rays with the isosurfaces in cells, one after the other.
 ///
 /// A ray is inside or outside of a surface where it crosses a face, the same for both cells of the

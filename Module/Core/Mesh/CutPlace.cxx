@@ -53,14 +53,8 @@ Vector3 CutPlace::FindParametric()
   {
     return nearest->Parametric;
   }
-  const FaceCrossing& face =
-    distance(this->First->T) < distance(this->Last->T) ? *this->First : *this->Last;
-  CornerWeights weights = {};
-  for (int i = 0; i < face.Count; ++i)
-  {
-    weights[face.Corners[i]] += face.Weights[i];
-  }
-  return GetParametric(this->Cell->Shape, weights);
+  const bool isFirstNearer = distance(this->First->T) < distance(this->Last->T);
+  return GetParametric(this->Cell->Shape, isFirstNearer ? *this->First : *this->Last);
 }
 
 //------------------------------------------------------------------------------

@@ -9,16 +9,6 @@
 
 namespace vtkIsosurfaceRayTracing
 {
-namespace
-{
-
-RayFrame GetFrame(const RayPacket& packet, int ray)
-{
-  return { { packet.Origin[0][ray], packet.Origin[1][ray], packet.Origin[2][ray] },
-    packet.GetDirection(ray) };
-}
-
-}
 
 //------------------------------------------------------------------------------
 void PairSolver::Begin(const MeshSelection& selection, const RayPacket& packet,
@@ -221,8 +211,8 @@ void PairSolver::SolveByItself(const MeshSelection& selection, const PairedCells
 {
   RayPart part = this->GetPart(ray);
   this->HitsInCell.clear();
-  KeepHitsInCell(selection, GetFrame(*this->Packet, ray), cells.Cells[number],
-    cells.Surfaces[number], this->InCell, part, this->HitsInCell, solutions);
+  KeepHitsInCell(selection, RayFrame(this->Packet->GetOrigin(ray), this->Packet->GetDirection(ray)),
+    cells.Cells[number], cells.Surfaces[number], this->InCell, part, this->HitsInCell, solutions);
   for (const Hit& hit : this->HitsInCell)
   {
     hits.Add(ray) = hit;
