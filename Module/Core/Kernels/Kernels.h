@@ -409,7 +409,7 @@ struct Kernels
   /// Finds the hits of rays in tetrahedra, exactly as TetrahedronHits does.
   void (*SolveTetrahedra)(const FramedRays& rays, TetrahedronPairs& pairs);
 
-  /// Finds the hits of rays in trilinear cells, exactly as SolveTrilinear does for one.
+  /// Finds the hits of rays in trilinear cells, exactly as TrilinearSearch does for one.
   void (*SolveTrilinear)(const FramedRays& rays, TrilinearPairs& pairs);
 
   /// Finds the children of a node, or the cells of a block that is a child of it, whose boxes may

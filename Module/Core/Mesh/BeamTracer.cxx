@@ -39,7 +39,7 @@ RaySet BeamTracer::Trace(const MeshSelection& selection, const RayPacket& packet
         beam.Forget();
       }
       const int set = beam.Load(selection, first + static_cast<std::size_t>(LowestBit(passed)));
-      if (beam.IsInAll())
+      if (beam.HasLittleInCommon())
       {
         beam.End();
         return {};

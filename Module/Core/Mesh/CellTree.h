@@ -57,7 +57,7 @@ public:
   }
 
   /// Whether a child of a node has values on both sides of an isovalue.
-  static bool HasBothSides(const CellTreeNode& node, int child, double isovalue)
+  static bool Straddles(const CellTreeNode& node, int child, double isovalue)
   {
     return static_cast<double>(node.Low[child]) < isovalue &&
       isovalue <= static_cast<double>(node.High[child]);

@@ -62,20 +62,13 @@ public:
   /// Finds the sets in another leaf. Returns false if there is none before a depth.
   bool FindMore(const MeshSelection& selection, float end);
 
-  /// Pieces as the beam sees them.
-  struct SeenPieces
-  {
-    std::size_t Set;
-    BeamPieces Pieces;
-  };
-
   /// Returns the number of the pieces of a set. There are as many numbers to a set as it may have
   /// pieces: this is that of the first, divided by it.
   int Load(const MeshSelection& selection, std::size_t set);
 
   /// Whether rays of the beam have too little in common: many pieces reach behind the point where
   /// the rays meet, as in a mesh of long cells that the camera is in. Any ray may meet these.
-  bool IsInAll() const { return this->AnyLabel > MaximumAnyLabel; }
+  bool HasLittleInCommon() const { return this->AnyLabel > MaximumAnyLabel; }
 
   /// Whether there are so many that they should be forgotten before further ones are loaded.
   bool IsFull() const { return this->NumberOfSeen >= MaximumSeen; }
@@ -95,7 +88,7 @@ public:
 private:
   /// Some 2.5 MB for each thread.
   static constexpr int MaximumSeen = 2048;
-  /// Of pieces that have, to be tried with each ray.
+  /// Of pieces that may have any label: each is tried with every ray.
   static constexpr int MaximumAnyLabel = 256;
   static constexpr int NotSeen = -1;
 
@@ -106,6 +99,13 @@ private:
     std::size_t Leaf;
     int Surface;
     int Seen;
+  };
+
+  /// Pieces as the beam sees them.
+  struct SeenPieces
+  {
+    std::size_t Set;
+    BeamPieces Pieces;
   };
 
   static std::uint32_t GetCell(const MeshSelection& selection, const Set& set, int number)

@@ -98,7 +98,7 @@ bool MeshRay::IsActive(const CellTreeNode& node, int child) const
 {
   return std::any_of(this->Selection->Surfaces.begin(), this->Selection->Surfaces.end(),
     [&node, child](const MeshSurface& surface)
-    { return CellTree::HasBothSides(node, child, surface.Isovalue); });
+    { return CellTree::Straddles(node, child, surface.Isovalue); });
 }
 
 //------------------------------------------------------------------------------

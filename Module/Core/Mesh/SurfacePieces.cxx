@@ -78,7 +78,7 @@ void SurfacePieces::FetchCells(
   for (int child = 0; child < CellTree::Width; ++child)
   {
     const std::size_t block = leaf * CellTree::Width + static_cast<std::size_t>(child);
-    counts[child] = CellTree::HasBothSides(node, child, this->Isovalue)
+    counts[child] = CellTree::Straddles(node, child, this->Isovalue)
       ? this->Tree->GetCells(block, cells[child])
       : 0;
     for (int i = 0; i < counts[child]; ++i)
