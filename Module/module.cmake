@@ -48,7 +48,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceLayers
   Rendering/vtkIsosurfaceRayTraceLeaves
   Rendering/vtkIsosurfaceRayTraceMacrocellCache
-  Rendering/vtkIsosurfaceRayTraceMesh
+  Rendering/vtkIsosurfaceRayTraceMeshPart
   Rendering/vtkIsosurfaceRayTraceOutput
   Rendering/vtkIsosurfaceRayTracePicture
   Rendering/vtkIsosurfaceRayTracePolyhedron

@@ -4,7 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceEngine.h"
 #include "vtkIsosurfaceRayTraceGeometry.h"
-#include "vtkIsosurfaceRayTraceMesh.h"
+#include "vtkIsosurfaceRayTraceMeshPart.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkAssemblyNode.h"
@@ -194,7 +194,7 @@ void vtkIsosurfacePicker::SetPickInfo(
       vtkMatrix4x4::Invert(own->GetMatrix(), inverse);
       inverse->MultiplyPoint(inGrid, inGrid);
     }
-    this->PointId = vtkIsosurfaceRayTraceMesh::FindNearestPoint(grid, cell, inGrid);
+    this->PointId = vtkIsosurfaceRayTraceMeshPart::FindNearestPoint(grid, cell, inGrid);
   }
   else
   {

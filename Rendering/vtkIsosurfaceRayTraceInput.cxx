@@ -7,7 +7,7 @@
 #include "vtkIsosurfaceRayTraceCropping.h"
 #include "vtkIsosurfaceRayTraceGridPart.h"
 #include "vtkIsosurfaceRayTraceLattices.h"
-#include "vtkIsosurfaceRayTraceMesh.h"
+#include "vtkIsosurfaceRayTraceMeshPart.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceScalars.h"
 
@@ -165,9 +165,10 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
     }
     // Coordinates of rectilinear grids are modified by themselves.
     this->ArePartsKept = std::all_of(this->Leaves.Get().begin(), this->Leaves.Get().end(),
-      [](const Leaf& leaf) {
+      [](const Leaf& leaf)
+      {
         return vtkImageData::SafeDownCast(leaf.Data) ||
-          vtkIsosurfaceRayTraceMesh::IsMesh(leaf.Data);
+          vtkIsosurfaceRayTraceMeshPart::IsMesh(leaf.Data);
       });
     this->Component = scalars.Component;
     this->HasOtherComponents = scalars.HasOthers;
@@ -186,7 +187,7 @@ bool vtkIsosurfaceRayTraceInput::MayHaveCloud() const
   const std::vector<Leaf>& leaves = this->Leaves.Get();
   return leaves.empty() ||
     std::any_of(leaves.begin(), leaves.end(),
-      [](const Leaf& leaf) { return vtkIsosurfaceRayTraceMesh::IsMesh(leaf.Data); });
+      [](const Leaf& leaf) { return vtkIsosurfaceRayTraceMeshPart::IsMesh(leaf.Data); });
 }
 
 //------------------------------------------------------------------------------
@@ -248,7 +249,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   }
   auto* data = vtkDataSet::SafeDownCast(input);
   if (!data ||
-    (!vtkIsosurfaceRayTraceGridPart::IsGrid(data) && !vtkIsosurfaceRayTraceMesh::IsMesh(data)))
+    (!vtkIsosurfaceRayTraceGridPart::IsGrid(data) && !vtkIsosurfaceRayTraceMeshPart::IsMesh(data)))
   {
     return (input ? std::string("The input is a ") + input->GetClassName()
                   : std::string("There is no input")) +
@@ -381,7 +382,7 @@ std::string vtkIsosurfaceRayTraceInput::AddMesh(const Leaf& leaf,
   const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
   FormerParts& before)
 {
-  using Mesh = vtkIsosurfaceRayTraceMesh;
+  using Mesh = vtkIsosurfaceRayTraceMeshPart;
   auto* grid = vtkPointSet::SafeDownCast(leaf.Data);
   std::string problem = scalars.FindProblem(grid->GetNumberOfPoints(), grid->GetNumberOfCells());
   if (!problem.empty())

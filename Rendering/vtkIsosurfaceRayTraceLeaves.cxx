@@ -4,7 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceColors.h"
 #include "vtkIsosurfaceRayTraceGridPart.h"
-#include "vtkIsosurfaceRayTraceMesh.h"
+#include "vtkIsosurfaceRayTraceMeshPart.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceScalars.h"
 
@@ -50,14 +50,14 @@ std::string DescribeClass(vtkDataObject* block)
 
 bool IsTraced(vtkDataSet* data)
 {
-  return vtkIsosurfaceRayTraceGridPart::IsGrid(data) || vtkIsosurfaceRayTraceMesh::IsMesh(data);
+  return vtkIsosurfaceRayTraceGridPart::IsGrid(data) || vtkIsosurfaceRayTraceMeshPart::IsMesh(data);
 }
 
 bool HasVolume(vtkDataSet* data)
 {
   return vtkIsosurfaceRayTraceGridPart::IsGrid(data)
     ? vtkIsosurfaceRayTraceGridPart::HasVolume(data)
-    : vtkIsosurfaceRayTraceMesh::HasVolume(data);
+    : vtkIsosurfaceRayTraceMeshPart::HasVolume(data);
 }
 
 /// The leaf that has a number, which is then counted from its begin; null if none has it.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIsosurfaceRayTraceMesh.h"
+#include "vtkIsosurfaceRayTraceMeshPart.h"
 
 #include "vtkIsosurfaceRayTraceGhosts.h"
 #include "vtkIsosurfaceRayTraceGridLists.h"
@@ -143,7 +143,7 @@ std::vector<vtkObject*> FindParts(vtkPointSet* grid, vtkDataArray* scalars)
 
 //------------------------------------------------------------------------------
 /// While it is the same, so is the mesh.
-struct vtkIsosurfaceRayTraceMesh::Key
+struct vtkIsosurfaceRayTraceMeshPart::Key
 {
   Key(vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized)
     : Grid(grid)
@@ -180,13 +180,13 @@ struct vtkIsosurfaceRayTraceMesh::Key
 };
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceMesh::IsMesh(vtkDataSet* data)
+bool vtkIsosurfaceRayTraceMeshPart::IsMesh(vtkDataSet* data)
 {
   return vtkUnstructuredGrid::SafeDownCast(data) || vtkStructuredGrid::SafeDownCast(data);
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceMesh::HasVolume(vtkDataSet* grid)
+bool vtkIsosurfaceRayTraceMeshPart::HasVolume(vtkDataSet* grid)
 {
   if (auto* structured = vtkStructuredGrid::SafeDownCast(grid))
   {
@@ -200,7 +200,7 @@ bool vtkIsosurfaceRayTraceMesh::HasVolume(vtkDataSet* grid)
 }
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceMesh::vtkIsosurfaceRayTraceMesh(
+vtkIsosurfaceRayTraceMeshPart::vtkIsosurfaceRayTraceMeshPart(
   vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized)
   : MadeFrom(std::make_unique<Key>(grid, scalars, isTetrahedralized))
   , Scalars(scalars)
@@ -208,37 +208,37 @@ vtkIsosurfaceRayTraceMesh::vtkIsosurfaceRayTraceMesh(
 }
 
 //------------------------------------------------------------------------------
-vtkIsosurfaceRayTraceMesh::~vtkIsosurfaceRayTraceMesh() = default;
+vtkIsosurfaceRayTraceMeshPart::~vtkIsosurfaceRayTraceMeshPart() = default;
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceMesh::IsOf(
+bool vtkIsosurfaceRayTraceMeshPart::IsOf(
   vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized) const
 {
   return Key(grid, scalars, isTetrahedralized) == *this->MadeFrom;
 }
 
 //------------------------------------------------------------------------------
-vtkDataSet* vtkIsosurfaceRayTraceMesh::GetFirstData() const
+vtkDataSet* vtkIsosurfaceRayTraceMeshPart::GetFirstData() const
 {
   return this->GetGrid();
 }
 
 //------------------------------------------------------------------------------
-vtkPointSet* vtkIsosurfaceRayTraceMesh::GetGrid() const
+vtkPointSet* vtkIsosurfaceRayTraceMeshPart::GetGrid() const
 {
   return this->MadeFrom->Grid;
 }
 
 //------------------------------------------------------------------------------
 /// The memory of an array, which must be the same as long as the array is traced.
-const void* vtkIsosurfaceRayTraceMesh::Read(vtkDataArray* array)
+const void* vtkIsosurfaceRayTraceMeshPart::Read(vtkDataArray* array)
 {
   this->ReadArrays.push_back({ array, array->GetVoidPointer(0), array->GetNumberOfValues() });
   return this->ReadArrays.back().Memory;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMesh::SelectCells(int threads)
+std::string vtkIsosurfaceRayTraceMeshPart::SelectCells(int threads)
 {
   vtkPointSet* grid = this->GetGrid();
   this->View.NumberOfPoints = grid->GetNumberOfPoints();
@@ -254,7 +254,7 @@ std::string vtkIsosurfaceRayTraceMesh::SelectCells(int threads)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMesh::SelectLattice(vtkStructuredGrid* grid)
+std::string vtkIsosurfaceRayTraceMeshPart::SelectLattice(vtkStructuredGrid* grid)
 {
   vtkirt::Index3& dimensions = this->View.Dimensions;
   grid->GetDimensions(dimensions.data());
@@ -273,7 +273,7 @@ std::string vtkIsosurfaceRayTraceMesh::SelectLattice(vtkStructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* grid, int threads)
+std::string vtkIsosurfaceRayTraceMeshPart::SelectListedCells(vtkUnstructuredGrid* grid, int threads)
 {
   const vtkIdType count = grid->GetNumberOfCells();
   if (count > static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()))
@@ -303,7 +303,7 @@ std::string vtkIsosurfaceRayTraceMesh::SelectListedCells(vtkUnstructuredGrid* gr
 
 //------------------------------------------------------------------------------
 /// Reads the lists of cells where they are, if their types allow it.
-void vtkIsosurfaceRayTraceMesh::ViewCells(vtkUnstructuredGrid* grid)
+void vtkIsosurfaceRayTraceMeshPart::ViewCells(vtkUnstructuredGrid* grid)
 {
   this->View.NumberOfCells = grid->GetNumberOfCells();
   this->View.Shapes = static_cast<const unsigned char*>(this->Read(Lists::GetTypes(grid)));
@@ -333,7 +333,7 @@ void vtkIsosurfaceRayTraceMesh::ViewCells(vtkUnstructuredGrid* grid)
 
 //------------------------------------------------------------------------------
 /// Divides quadratic cells, polyhedra and others.
-std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
+std::string vtkIsosurfaceRayTraceMeshPart::SubdivideCells(vtkUnstructuredGrid* grid)
 {
   std::vector<unsigned char> shapes;
   std::vector<std::int64_t> offsets = { 0 };
@@ -395,7 +395,7 @@ std::string vtkIsosurfaceRayTraceMesh::SubdivideCells(vtkUnstructuredGrid* grid)
 
 //------------------------------------------------------------------------------
 /// Gives the centre of a polyhedron an id, if its parts have it as a corner.
-void vtkIsosurfaceRayTraceMesh::AddCenter(vtkIdList* points, vtkIdList* parts)
+void vtkIsosurfaceRayTraceMeshPart::AddCenter(vtkIdList* points, vtkIdList* parts)
 {
   constexpr vtkIdType center = vtkIsosurfaceRayTracePolyhedron::Center;
   if (std::find(parts->begin(), parts->end(), center) != parts->end())
@@ -409,7 +409,7 @@ void vtkIsosurfaceRayTraceMesh::AddCenter(vtkIdList* points, vtkIdList* parts)
 
 //------------------------------------------------------------------------------
 /// Adds what the centres of polyhedra have to an array of the points.
-void vtkIsosurfaceRayTraceMesh::AddMeans(vtkDataArray* array) const
+void vtkIsosurfaceRayTraceMeshPart::AddMeans(vtkDataArray* array) const
 {
   const int components = array->GetNumberOfComponents();
   std::vector<double> mean(static_cast<std::size_t>(components));
@@ -425,14 +425,14 @@ void vtkIsosurfaceRayTraceMesh::AddMeans(vtkDataArray* array) const
 }
 
 //------------------------------------------------------------------------------
-std::int64_t vtkIsosurfaceRayTraceMesh::CountPointsOfGrid() const
+std::int64_t vtkIsosurfaceRayTraceMeshPart::CountPointsOfGrid() const
 {
   return this->View.NumberOfPoints - static_cast<std::int64_t>(this->Centers.size());
 }
 
 //------------------------------------------------------------------------------
 /// Replaces all cells by tetrahedra between their points, which agree on faces.
-void vtkIsosurfaceRayTraceMesh::Tetrahedralize()
+void vtkIsosurfaceRayTraceMeshPart::Tetrahedralize()
 {
   auto copy = vtk::TakeSmartPointer(this->GetGrid()->NewInstance());
   copy->CopyStructure(this->GetGrid());
@@ -467,7 +467,7 @@ void vtkIsosurfaceRayTraceMesh::Tetrahedralize()
 
 //------------------------------------------------------------------------------
 /// Lists the cells that are kept here.
-void vtkIsosurfaceRayTraceMesh::ViewOwnCells()
+void vtkIsosurfaceRayTraceMeshPart::ViewOwnCells()
 {
   this->View.Dimensions = { 0, 0, 0 };
   this->View.NumberOfCells = static_cast<std::int64_t>(this->Shapes.size());
@@ -478,7 +478,7 @@ void vtkIsosurfaceRayTraceMesh::ViewOwnCells()
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceMesh::SelectPoints()
+void vtkIsosurfaceRayTraceMeshPart::SelectPoints()
 {
   vtkDataArray* points = this->GetGrid()->GetPoints()->GetData();
   const bool isReal = points->GetDataType() == VTK_FLOAT || points->GetDataType() == VTK_DOUBLE;
@@ -495,7 +495,7 @@ void vtkIsosurfaceRayTraceMesh::SelectPoints()
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceMesh::SelectValues(int threads)
+void vtkIsosurfaceRayTraceMeshPart::SelectValues(int threads)
 {
   vtkIsosurfaceRayTraceScalars ofPoints = this->Scalars;
   if (this->Scalars.AreOfCells)
@@ -538,7 +538,7 @@ void vtkIsosurfaceRayTraceMesh::SelectValues(int threads)
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceMesh::FindHiddenCells()
+void vtkIsosurfaceRayTraceMeshPart::FindHiddenCells()
 {
   vtkUnsignedCharArray* cellFlags = this->GetGrid()->GetCellGhostArray();
   vtkUnsignedCharArray* pointFlags = this->GetGrid()->GetPointGhostArray();
@@ -576,7 +576,7 @@ void vtkIsosurfaceRayTraceMesh::FindHiddenCells()
 
 //------------------------------------------------------------------------------
 /// Hides those parts of a cell that are finite, where one of the others is not.
-void vtkIsosurfaceRayTraceMesh::HidePartsOfInfiniteCells()
+void vtkIsosurfaceRayTraceMeshPart::HidePartsOfInfiniteCells()
 {
   if (this->CellIds.empty() || this->Field->AreAllCellsFinite())
   {
@@ -603,7 +603,7 @@ void vtkIsosurfaceRayTraceMesh::HidePartsOfInfiniteCells()
 
 //------------------------------------------------------------------------------
 /// The points of a cell, or of the whole of which it is a part; none if its shape is not traced.
-void vtkIsosurfaceRayTraceMesh::FindPointsOfCell(std::int64_t number, vtkIdList* points) const
+void vtkIsosurfaceRayTraceMeshPart::FindPointsOfCell(std::int64_t number, vtkIdList* points) const
 {
   if (!this->CellIds.empty())
   {
@@ -620,7 +620,7 @@ void vtkIsosurfaceRayTraceMesh::FindPointsOfCell(std::int64_t number, vtkIdList*
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceMesh::Update(int threads)
+bool vtkIsosurfaceRayTraceMeshPart::Update(int threads)
 {
   if (this->Field)
   {
@@ -636,7 +636,7 @@ bool vtkIsosurfaceRayTraceMesh::Update(int threads)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIsosurfaceRayTraceMesh::GetWarning() const
+std::string vtkIsosurfaceRayTraceMeshPart::GetWarning() const
 {
   return this->FirstHull < 0 ? ""
                              : "Cell " + std::to_string(this->FirstHull) +
@@ -645,7 +645,7 @@ std::string vtkIsosurfaceRayTraceMesh::GetWarning() const
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Visibility vtkIsosurfaceRayTraceMesh::FindVisible() const
+vtkirt::Visibility vtkIsosurfaceRayTraceMeshPart::FindVisible() const
 {
   vtkirt::Visibility visible;
   visible.HiddenCells = this->HiddenCells.empty() ? nullptr : this->HiddenCells.data();
@@ -653,13 +653,13 @@ vtkirt::Visibility vtkIsosurfaceRayTraceMesh::FindVisible() const
 }
 
 //------------------------------------------------------------------------------
-double vtkIsosurfaceRayTraceMesh::FindCellSize() const
+double vtkIsosurfaceRayTraceMeshPart::FindCellSize() const
 {
   return this->Field->GetCellSize();
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkIsosurfaceRayTraceMesh::FindCell(
+vtkIdType vtkIsosurfaceRayTraceMeshPart::FindCell(
   const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
   parametric = hit.Parametric;
@@ -669,7 +669,7 @@ vtkIdType vtkIsosurfaceRayTraceMesh::FindCell(
 
 //------------------------------------------------------------------------------
 /// As VTK finds them, if it does.
-void vtkIsosurfaceRayTraceMesh::MoveToWholeCell(
+void vtkIsosurfaceRayTraceMeshPart::MoveToWholeCell(
   const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
   if (this->CellIds.empty())
@@ -701,13 +701,13 @@ void vtkIsosurfaceRayTraceMesh::MoveToWholeCell(
 }
 
 //------------------------------------------------------------------------------
-vtkirt::Matrix4 vtkIsosurfaceRayTraceMesh::FindPhysicalFromObject() const
+vtkirt::Matrix4 vtkIsosurfaceRayTraceMeshPart::FindPhysicalFromObject() const
 {
   return { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0 };
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkIsosurfaceRayTraceMesh::FindNearestPoint(
+vtkIdType vtkIsosurfaceRayTraceMeshPart::FindNearestPoint(
   vtkDataSet* grid, vtkIdType cell, const double position[3])
 {
   vtkNew<vtkIdList> ids;
@@ -727,7 +727,7 @@ vtkIdType vtkIsosurfaceRayTraceMesh::FindNearestPoint(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkIsosurfaceRayTraceMesh::FindPoint(const vtkirt::Hit& hit) const
+vtkIdType vtkIsosurfaceRayTraceMeshPart::FindPoint(const vtkirt::Hit& hit) const
 {
   // Of what is traced: an observer may have given the grid other points and cells.
   vtkirt::MeshCell cell;
@@ -748,7 +748,7 @@ vtkIdType vtkIsosurfaceRayTraceMesh::FindPoint(const vtkirt::Hit& hit) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceMesh::SampleColors(
+void vtkIsosurfaceRayTraceMeshPart::SampleColors(
   const vtkirt::Hit& hit, int components, double* values) const
 {
   vtkirt::MeshCell cell;
@@ -769,7 +769,7 @@ void vtkIsosurfaceRayTraceMesh::SampleColors(
 
 //------------------------------------------------------------------------------
 /// The number to colour by that a point has, or a centre.
-double vtkIsosurfaceRayTraceMesh::FindColor(std::int64_t point, int component) const
+double vtkIsosurfaceRayTraceMeshPart::FindColor(std::int64_t point, int component) const
 {
   const std::int64_t center = point - this->CountPointsOfGrid();
   return center < 0
@@ -778,7 +778,7 @@ double vtkIsosurfaceRayTraceMesh::FindColor(std::int64_t point, int component) c
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceMesh::IsIntact() const
+bool vtkIsosurfaceRayTraceMeshPart::IsIntact() const
 {
   const vtkDataArray* colors = this->Leaf.Colors;
   return (!colors || colors->GetNumberOfTuples() >= this->CountPointsOfGrid()) &&
@@ -791,7 +791,7 @@ bool vtkIsosurfaceRayTraceMesh::IsIntact() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceMesh::AddObjects(std::vector<vtkObject*>& objects) const
+void vtkIsosurfaceRayTraceMeshPart::AddObjects(std::vector<vtkObject*>& objects) const
 {
   objects.insert(objects.end(), { this->GetGrid(), this->Leaf.Colors });
   const std::vector<vtkObject*> parts = FindParts(this->GetGrid(), this->Scalars.Array);

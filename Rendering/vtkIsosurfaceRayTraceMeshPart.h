@@ -3,8 +3,8 @@
 
 // An unstructured or structured grid with scalars, as a field that is traced.
 
-#ifndef vtkIsosurfaceRayTraceMesh_h
-#define vtkIsosurfaceRayTraceMesh_h
+#ifndef vtkIsosurfaceRayTraceMeshPart_h
+#define vtkIsosurfaceRayTraceMeshPart_h
 
 #include "vtkIsosurfaceRayTraceLeaves.h"   // for ivars
 #include "vtkIsosurfaceRayTracePart.h"     // for base class
@@ -31,7 +31,7 @@ class vtkPointSet;
 class vtkStructuredGrid;
 class vtkUnstructuredGrid;
 
-class vtkIsosurfaceRayTraceMesh final : public vtkIsosurfaceRayTracePart
+class vtkIsosurfaceRayTraceMeshPart final : public vtkIsosurfaceRayTracePart
 {
 public:
   /// Whether a data set is of a class that is traced.
@@ -45,11 +45,11 @@ public:
 
   /// Of a grid as it is now, or of its cells split into tetrahedra. The scalars must have no
   /// problem.
-  vtkIsosurfaceRayTraceMesh(
+  vtkIsosurfaceRayTraceMeshPart(
     vtkPointSet* grid, const vtkIsosurfaceRayTraceScalars& scalars, bool isTetrahedralized);
-  ~vtkIsosurfaceRayTraceMesh() override;
-  vtkIsosurfaceRayTraceMesh(const vtkIsosurfaceRayTraceMesh&) = delete;
-  void operator=(const vtkIsosurfaceRayTraceMesh&) = delete;
+  ~vtkIsosurfaceRayTraceMeshPart() override;
+  vtkIsosurfaceRayTraceMeshPart(const vtkIsosurfaceRayTraceMeshPart&) = delete;
+  void operator=(const vtkIsosurfaceRayTraceMeshPart&) = delete;
 
   /// Whether the mesh is still that of a grid with these.
   bool IsOf(
