@@ -4,7 +4,6 @@
 
 #include "vtkIsosurfaceRayTraceEngine.h"
 #include "vtkIsosurfaceRayTraceGeometry.h"
-#include "vtkIsosurfaceRayTraceMeshPart.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkAssemblyNode.h"
@@ -12,6 +11,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -30,6 +30,25 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
+
+/// The point of a cell that is nearest to a position.
+vtkIdType FindNearestPoint(vtkDataSet* grid, vtkIdType cell, const double position[3])
+{
+  vtkNew<vtkIdList> ids;
+  grid->GetCellPoints(cell, ids);
+  vtkIdType nearest = -1;
+  double least = VTK_DOUBLE_MAX;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const double square = vtkMath::Distance2BetweenPoints(grid->GetPoint(ids->GetId(i)), position);
+    if (square < least)
+    {
+      least = square;
+      nearest = ids->GetId(i);
+    }
+  }
+  return nearest;
+}
 
 /// The pixel at a coordinate; one that no window has if the coordinate is beyond all of them.
 int ToPixel(double coordinate)
@@ -194,7 +213,7 @@ void vtkIsosurfacePicker::SetPickInfo(
       vtkMatrix4x4::Invert(own->GetMatrix(), inverse);
       inverse->MultiplyPoint(inGrid, inGrid);
     }
-    this->PointId = vtkIsosurfaceRayTraceMeshPart::FindNearestPoint(grid, cell, inGrid);
+    this->PointId = FindNearestPoint(grid, cell, inGrid);
   }
   else
   {

@@ -707,26 +707,6 @@ vtkirt::Matrix4 vtkIsosurfaceRayTraceMeshPart::FindPhysicalFromObject() const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkIsosurfaceRayTraceMeshPart::FindNearestPoint(
-  vtkDataSet* grid, vtkIdType cell, const double position[3])
-{
-  vtkNew<vtkIdList> ids;
-  grid->GetCellPoints(cell, ids);
-  vtkIdType nearest = -1;
-  double least = VTK_DOUBLE_MAX;
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    const double square = vtkMath::Distance2BetweenPoints(grid->GetPoint(ids->GetId(i)), position);
-    if (square < least)
-    {
-      least = square;
-      nearest = ids->GetId(i);
-    }
-  }
-  return nearest;
-}
-
-//------------------------------------------------------------------------------
 vtkIdType vtkIsosurfaceRayTraceMeshPart::FindPoint(const vtkirt::Hit& hit) const
 {
   // Of what is traced: an observer may have given the grid other points and cells.

@@ -40,9 +40,6 @@ public:
   /// Whether a mesh has cells of three dimensions.
   static bool HasVolume(vtkDataSet* grid);
 
-  /// The point of a cell that is nearest to a position.
-  static vtkIdType FindNearestPoint(vtkDataSet* grid, vtkIdType cell, const double position[3]);
-
   /// Of a grid as it is now, or of its cells split into tetrahedra. The scalars must have no
   /// problem.
   vtkIsosurfaceRayTraceMeshPart(
