@@ -13,6 +13,7 @@ set(classes
 
 set(private_classes
   Filters/vtkIsosurfaceComparisonErrors
+  Filters/vtkIsosurfaceComparisonExecution
   Filters/vtkIsosurfaceComparisonInterpolant
   Filters/vtkIsosurfaceComparisonMethods
   Filters/vtkIsosurfaceComparisonPictures
