@@ -4,8 +4,6 @@
 set(core_sources
   Amr/AmrHierarchy.cxx
   Amr/AmrNodes.cxx
-  Image/Lattice/Ray.cxx
-  Kernels/InstructionSets.cxx
   Field/BoundsTree.cxx
   Field/FieldSet.cxx
   Field/TracedField.cxx
@@ -16,6 +14,7 @@ set(core_sources
   Image/Cells/TrilinearRoots.cxx
   Image/CoarseLevel.cxx
   Image/ImageField.cxx
+  Image/Lattice/Ray.cxx
   Image/Samples/FilePages.cxx
   Image/Tracers/AllHitsTracer.cxx
   Image/Tracers/CandidateTracer.cxx
@@ -27,6 +26,7 @@ set(core_sources
   Image/Traversal/FirstHitTracer.cxx
   Image/Traversal/PacketTracer.cxx
   Image/Traversal/RayFollower.cxx
+  Kernels/InstructionSets.cxx
   Mesh/BeamFrame.cxx
   Mesh/BeamTracer.cxx
   Mesh/CellBoxes.cxx

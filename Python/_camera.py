@@ -30,7 +30,7 @@ def make_camera(volume, size, view=VIEW, up=None, zoom=1.0):
     camera.SetViewUp(upward)
     # A look at all, in which small parts are that lie apart, then one at the surfaces.
     bounds = volume.GetBounds()
-    points = find_corners(volume) if bounds is None else _corners_of(bounds)
+    points = _find_corners(volume) if bounds is None else _corners_of(bounds)
     for _ in range(2):
         _fit(camera, back, points, size)
         set_clipping_range(camera, volume)
@@ -52,7 +52,7 @@ def set_clipping_range(camera, volume):
     camera.SetClippingRange(max(0.99 * depths.min(), 1e-3 * far), far)
 
 
-def find_corners(volume):
+def _find_corners(volume):
     """The corners of the box around the surfaces of a volume."""
     bounds = [0.0] * 6
     if not call(volume.GetMapper(), "FindSurfaceBounds", volume, bounds):
@@ -73,7 +73,7 @@ def _find_points(volume, camera, size):
     call(volume.GetMapper(), "RenderToImage", volume, camera, None, width, height, picture)
     points = vtk_to_numpy(picture.GetPointData().GetArray("Position"))
     points = points[np.isfinite(points[:, 0])]
-    return points if len(points) >= FEW else find_corners(volume)
+    return points if len(points) >= FEW else _find_corners(volume)
 
 
 def _fit(camera, back, points, size):

@@ -48,8 +48,7 @@ public:
 
   /// Finds the ids of the points of the parts of a cell, one part after the other. Returns false if
   /// the number of points is not that of the order of the cell, or a face of a polyhedron has fewer
-  /// than three. The centre of a polyhedron is
-  /// vtkIsosurfaceRayTracePolyhedron::Center.
+  /// than three. The centre of a polyhedron is vtkIsosurfaceRayTracePolyhedron::Center.
   bool FindParts(vtkGenericCell* cell, vtkIdList* ids);
 
   /// Whether the parts of the last cell are those of the convex hull of a cell that is not convex.

@@ -70,10 +70,9 @@ Agreement AgreeOnPicture(Scene* scene, MessageExchange& exchange);
 /// front to back, and send these to the owners, which draw them in the order of their depths as far
 /// as no process may send one that comes before. If that takes more than one part, the owners
 /// answer which rays are not opaque yet. A process does not run ahead: so only a few tiles are
-/// stored at any time. (After
-/// K.-L. Ma, T. W. Crockett: A Scalable Parallel Cell-Projection Volume Rendering Algorithm for
-/// Three-Dimensional Unstructured Data, 1997. They deal out cells, and agree on regions of space by
-/// a k-d tree, where we have tiles.)
+/// stored at any time. (After K.-L. Ma, T. W. Crockett: A Scalable Parallel Cell-Projection Volume
+/// Rendering Algorithm for Three-Dimensional Unstructured Data, 1997. They deal out cells, and
+/// agree on regions of space by a k-d tree, where we have tiles.)
 ///
 /// All processes must call it, after they have agreed. The fields must be selected. As for
 /// RenderTiles, keepGoing is called now and then; if it returns false the frame is abandoned, but
