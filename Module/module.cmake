@@ -62,12 +62,14 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceSnapshot
   Rendering/vtkIsosurfaceRayTraceSource
   Rendering/vtkIsosurfaceRayTraceSubdivision
+  Rendering/vtkIsosurfaceRayTraceTracedCells
   Rendering/vtkIsosurfaceRayTraceUse
   Rendering/vtkIsosurfaceRayTraceValueColors)
 
 set(private_headers
   Rendering/vtkIsosurfaceRayTraceLatticeSampling.h
   Rendering/vtkIsosurfaceRayTracePart.h
+  Rendering/vtkIsosurfaceRayTraceReadArrays.h
   Rendering/vtkIsosurfaceRayTraceSettings.h
   Rendering/vtkIsosurfaceRayTraceSharedSettings.h
   Rendering/vtkIsosurfaceRayTraceThreads.h)

@@ -7,6 +7,7 @@
 #include "vtkIsosurfaceRayTraceMeshPart.h"
 #include "vtkIsosurfaceRayTraceProblems.h"
 #include "vtkIsosurfaceRayTraceScalars.h"
+#include "vtkIsosurfaceRayTraceTracedCells.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -57,7 +58,7 @@ bool HasVolume(vtkDataSet* data)
 {
   return vtkIsosurfaceRayTraceGridPart::IsGrid(data)
     ? vtkIsosurfaceRayTraceGridPart::HasVolume(data)
-    : vtkIsosurfaceRayTraceMeshPart::HasVolume(data);
+    : vtkIsosurfaceRayTraceTracedCells::HasVolume(data);
 }
 
 /// The leaf that has a number, which is then counted from its begin; null if none has it.

@@ -6,12 +6,14 @@
 #ifndef vtkIsosurfaceRayTraceMeshPart_h
 #define vtkIsosurfaceRayTraceMeshPart_h
 
-#include "vtkIsosurfaceRayTraceLeaves.h"   // for ivars
-#include "vtkIsosurfaceRayTracePart.h"     // for base class
-#include "vtkIsosurfaceRayTraceScalars.h"  // for ivars
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkSmartPointer.h"               // for ivars
-#include "vtkType.h"                       // for vtkIdType
+#include "vtkIsosurfaceRayTraceLeaves.h"      // for ivars
+#include "vtkIsosurfaceRayTracePart.h"        // for base class
+#include "vtkIsosurfaceRayTraceReadArrays.h"  // for ivars
+#include "vtkIsosurfaceRayTraceScalars.h"     // for ivars
+#include "vtkIsosurfaceRayTraceTracedCells.h" // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"    // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkSmartPointer.h"                  // for ivars
+#include "vtkType.h"                          // for vtkIdType
 
 #include "Mesh/MeshField.h"
 
@@ -28,17 +30,12 @@ class vtkDataSet;
 class vtkIdList;
 class vtkObject;
 class vtkPointSet;
-class vtkStructuredGrid;
-class vtkUnstructuredGrid;
 
 class vtkIsosurfaceRayTraceMeshPart final : public vtkIsosurfaceRayTracePart
 {
 public:
   /// Whether a data set is of a class that is traced.
   static bool IsMesh(vtkDataSet* data);
-
-  /// Whether a mesh has cells of three dimensions.
-  static bool HasVolume(vtkDataSet* grid);
 
   /// Of a grid as it is now, or of its cells split into tetrahedra. The scalars must have no
   /// problem.
@@ -66,7 +63,7 @@ public:
   vtkDataSet* GetFirstData() const override;
   bool IsBuiltOnDemand() const override { return false; }
   bool Update(int threads) override;
-  std::string GetWarning() const override;
+  std::string GetWarning() const override { return this->TracedCells.GetWarning(); }
   vtkIsosurfaceRayTracing::Bounds FindBox() const override { return this->Field->GetBounds(); }
   /// As if all cells were cubes of one size.
   double FindCellSize() const override;
@@ -89,56 +86,27 @@ public:
 private:
   struct Key;
 
-  /// An array in the memory of its owner.
-  struct ReadArray
-  {
-    vtkDataArray* Array;
-    const void* Memory;
-    vtkIdType Values;
-  };
-
-  const void* Read(vtkDataArray* array);
-
-  std::string SelectLattice(vtkStructuredGrid* grid);
-  std::string SelectListedCells(vtkUnstructuredGrid* grid, int threads);
-  void ViewCells(vtkUnstructuredGrid* grid);
-  std::string SubdivideCells(vtkUnstructuredGrid* grid);
-  void AddCenter(vtkIdList* points, vtkIdList* parts);
-  void AddMeans(vtkDataArray* array) const;
-  void Tetrahedralize();
-  void ViewOwnCells();
   void SelectPoints();
   void SelectValues(int threads);
   void FindHiddenCells();
   void HidePartsOfInfiniteCells();
   void FindPointsOfCell(std::int64_t number, vtkIdList* points) const;
   double FindColor(std::int64_t point, int component) const;
-  std::int64_t CountPointsOfGrid() const;
 
   /// What the mesh is made from.
   std::unique_ptr<Key> MadeFrom;
   vtkIsosurfaceRayTraceScalars Scalars;
   vtkIsosurfaceRayTraceLeaf Leaf;
+  vtkIsosurfaceRayTraceTracedCells TracedCells;
   vtkIsosurfaceRayTracing::MeshView View;
   /// Null before Update.
   std::unique_ptr<vtkIsosurfaceRayTracing::MeshCells> Cells;
   std::unique_ptr<vtkIsosurfaceRayTracing::MeshField> Field;
   /// What is read where it is, and copies of what cannot: points, scalars.
-  std::vector<ReadArray> ReadArrays;
+  vtkIsosurfaceRayTraceReadArrays ReadArrays;
   vtkSmartPointer<vtkDataArray> PlainPoints;
   vtkSmartPointer<vtkDataArray> PointScalars;
   vtkSmartPointer<vtkDataArray> PlainScalars;
-  /// Listed cells, if they cannot be read where they are; if some had to be subdivided, also the
-  /// shapes of the parts, and the ids of the cells that they are parts of.
-  std::vector<unsigned char> Shapes;
-  std::vector<std::int64_t> Offsets;
-  std::vector<std::int64_t> Connectivity;
-  std::vector<vtkIdType> CellIds;
-  /// The points of each polyhedron that has a centre. Their means are more points, after those of
-  /// the grid.
-  std::vector<std::vector<vtkIdType>> Centers;
-  /// The first polyhedron whose hull is traced instead of it, or less than 0.
-  vtkIdType FirstHull = -1;
   std::vector<unsigned char> HiddenCells;
 };
 

@@ -1,0 +1,381 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceRayTraceTracedCells.h"
+
+#include "vtkIsosurfaceRayTraceGridLists.h"
+#include "vtkIsosurfaceRayTracePolyhedron.h"
+#include "vtkIsosurfaceRayTraceReadArrays.h"
+#include "vtkIsosurfaceRayTraceSubdivision.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetTriangleFilter.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Mesh/MeshCells.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+namespace
+{
+
+using Lists = vtkIsosurfaceRayTraceGridLists;
+
+using vtkirt::CellShape;
+
+static_assert(static_cast<int>(CellShape::Tetrahedron) == VTK_TETRA);
+static_assert(static_cast<int>(CellShape::Voxel) == VTK_VOXEL);
+static_assert(static_cast<int>(CellShape::Hexahedron) == VTK_HEXAHEDRON);
+static_assert(static_cast<int>(CellShape::Wedge) == VTK_WEDGE);
+static_assert(static_cast<int>(CellShape::Pyramid) == VTK_PYRAMID);
+
+bool IsTraced(int shape)
+{
+  return vtkirt::GetTraits(static_cast<CellShape>(shape)).Corners > 0;
+}
+
+bool IsSolid(int type)
+{
+  return vtkIsosurfaceRayTraceSubdivision::IsSolid(type);
+}
+
+/// Whether a grid has cells of a type that is asked for. (VTK's list of the types that a grid has
+/// is made by a look at all cells, always.)
+template <typename Predicate>
+bool HasType(vtkUnstructuredGrid* grid, const Predicate& isAskedFor)
+{
+  const auto* type = static_cast<const unsigned char*>(Lists::GetTypes(grid)->GetVoidPointer(0));
+  const unsigned char* last = type + grid->GetNumberOfCells();
+  bool isKnown[256] = {};
+  while (type != last)
+  {
+    if (!isKnown[*type] && isAskedFor(*type))
+    {
+      return true;
+    }
+    isKnown[*type] = true;
+    const unsigned char known = *type;
+    type = std::find_if(type, last, [known](unsigned char other) { return other != known; });
+  }
+  return false;
+}
+
+/// Whether every cell of a grid has a type.
+bool HasAllTypes(vtkUnstructuredGrid* grid)
+{
+  const vtkDataArray* types = Lists::GetTypes(grid);
+  return types && types->GetNumberOfValues() >= grid->GetNumberOfCells();
+}
+
+/// The type of ids that can be read where they are; none for others.
+std::optional<vtkirt::ScalarType> FindIdType(vtkDataArray* ids)
+{
+  if (!ids->HasStandardMemoryLayout())
+  {
+    return std::nullopt;
+  }
+  return ids->GetDataTypeSize() == 8 ? vtkirt::ScalarType::Int64 : vtkirt::ScalarType::Int32;
+}
+
+double MeanOf(vtkDataArray* array, const std::vector<vtkIdType>& points, int component)
+{
+  double sum = 0.0;
+  for (const vtkIdType point : points)
+  {
+    sum += array->GetComponent(point, component);
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceTracedCells::HasVolume(vtkDataSet* grid)
+{
+  if (auto* structured = vtkStructuredGrid::SafeDownCast(grid))
+  {
+    int dimensions[3];
+    structured->GetDimensions(dimensions);
+    return *std::min_element(dimensions, dimensions + 3) >= 2;
+  }
+  // Of what has no types, Select says so.
+  auto* listed = vtkUnstructuredGrid::SafeDownCast(grid);
+  return !HasAllTypes(listed) || HasType(listed, IsSolid);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceTracedCells::Select(vtkPointSet* grid, bool isTetrahedralized,
+  bool areAllRead, int threads, vtkIsosurfaceRayTraceReadArrays& arrays)
+{
+  this->View.NumberOfPoints = grid->GetNumberOfPoints();
+  auto* structured = vtkStructuredGrid::SafeDownCast(grid);
+  const std::string problem = structured
+    ? this->SelectLattice(structured)
+    : this->SelectListed(
+        vtkUnstructuredGrid::SafeDownCast(grid), areAllRead || isTetrahedralized, threads, arrays);
+  if (problem.empty() && isTetrahedralized)
+  {
+    this->Tetrahedralize(grid);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceTracedCells::SelectLattice(vtkStructuredGrid* grid)
+{
+  vtkirt::Index3& dimensions = this->View.Dimensions;
+  grid->GetDimensions(dimensions.data());
+  if (!HasVolume(grid))
+  {
+    return "The input has " + std::to_string(dimensions[0]) + " x " +
+      std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) +
+      " points. An isosurface needs cells of three dimensions: at least 2 points along each axis.";
+  }
+  if (this->View.NumberOfPoints != static_cast<std::int64_t>(vtkirt::Count(dimensions)))
+  {
+    return "The input has " + std::to_string(this->View.NumberOfPoints) +
+      " points, but its dimensions ask for " + std::to_string(vtkirt::Count(dimensions)) + ".";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceTracedCells::SelectListed(
+  vtkUnstructuredGrid* grid, bool areAllRead, int threads, vtkIsosurfaceRayTraceReadArrays& arrays)
+{
+  const vtkIdType count = grid->GetNumberOfCells();
+  if (count > static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()))
+  {
+    return "The input has more than 2^32 - 1 cells. Give it in several pieces.";
+  }
+  if (!HasAllTypes(grid))
+  {
+    return "The input has " + std::to_string(count) + " cells, but not a type for each.";
+  }
+  if (count <= 0 || !HasVolume(grid))
+  {
+    return "The input has no cells of three dimensions. Give tetrahedra, hexahedra, voxels, wedges "
+           "or pyramids.";
+  }
+  this->ViewListed(grid, arrays);
+  const bool areSubdivided =
+    HasType(grid, [](int type) { return !IsTraced(type) && IsSolid(type); });
+  const auto checked =
+    areSubdivided || areAllRead ? vtkirt::CheckedCells::All : vtkirt::CheckedCells::Traced;
+  const std::string problem = vtkirt::FindProblem(
+    this->View, grid->GetCells()->GetConnectivityArray()->GetNumberOfValues(), threads, checked);
+  return problem.empty() && areSubdivided ? this->Subdivide(grid) : problem;
+}
+
+//------------------------------------------------------------------------------
+/// Reads the lists of cells where they are, if their types allow it.
+void vtkIsosurfaceRayTraceTracedCells::ViewListed(
+  vtkUnstructuredGrid* grid, vtkIsosurfaceRayTraceReadArrays& arrays)
+{
+  this->View.NumberOfCells = grid->GetNumberOfCells();
+  this->View.Shapes = static_cast<const unsigned char*>(arrays.Read(Lists::GetTypes(grid)));
+  vtkCellArray* cells = grid->GetCells();
+  vtkDataArray* offsets = cells->GetOffsetsArray();
+  vtkDataArray* connectivity = cells->GetConnectivityArray();
+  const auto idType = FindIdType(connectivity);
+  if (idType && FindIdType(offsets) == idType)
+  {
+    this->View.IdType = *idType;
+    this->View.Offsets = arrays.Read(offsets);
+    this->View.Connectivity = arrays.Read(connectivity);
+    return;
+  }
+  const auto copy = [](vtkDataArray* from, std::vector<std::int64_t>& to)
+  {
+    for (vtkIdType i = 0; i < from->GetNumberOfTuples(); ++i)
+    {
+      to.push_back(static_cast<std::int64_t>(from->GetTuple1(i)));
+    }
+    return to.data();
+  };
+  this->View.IdType = vtkirt::ScalarType::Int64;
+  this->View.Offsets = copy(offsets, this->Offsets);
+  this->View.Connectivity = copy(connectivity, this->Connectivity);
+}
+
+//------------------------------------------------------------------------------
+/// Divides quadratic cells, polyhedra and others.
+std::string vtkIsosurfaceRayTraceTracedCells::Subdivide(vtkUnstructuredGrid* grid)
+{
+  std::vector<unsigned char> shapes;
+  std::vector<std::int64_t> offsets = { 0 };
+  std::vector<std::int64_t> connectivity;
+  const auto add = [&](int shape, vtkIdList* ids, vtkIdType first, vtkIdType count, vtkIdType cell)
+  {
+    shapes.push_back(static_cast<unsigned char>(shape));
+    for (vtkIdType i = first; i < first + count; ++i)
+    {
+      connectivity.push_back(ids->GetId(i));
+    }
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    this->Ids.push_back(cell);
+  };
+  std::map<int, vtkIsosurfaceRayTraceSubdivision> types;
+  vtkNew<vtkGenericCell> generic;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    const int shape = this->View.Shapes[i];
+    if (IsTraced(shape))
+    {
+      grid->GetCellPoints(i, ids);
+      add(shape, ids, 0, ids->GetNumberOfIds(), i);
+      continue;
+    }
+    vtkIsosurfaceRayTraceSubdivision& type = types.try_emplace(shape, shape).first->second;
+    if (!type.IsSolid())
+    {
+      continue;
+    }
+    grid->GetCellPoints(i, ids);
+    const bool mayHave = type.MayHave(ids->GetNumberOfIds());
+    if (mayHave)
+    {
+      grid->GetCell(i, generic);
+    }
+    if (!mayHave || !type.FindParts(generic, ids))
+    {
+      return "Cell " + std::to_string(i) + " has a wrong number of points, or a face of it has.";
+    }
+    this->AddCenter(generic->GetPointIds(), ids);
+    if (this->FirstHull < 0 && type.IsHull())
+    {
+      this->FirstHull = i;
+    }
+    const vtkIdType size = type.GetPartSize();
+    for (vtkIdType first = 0; first + size <= ids->GetNumberOfIds(); first += size)
+    {
+      add(type.GetPartType(), ids, first, size, i);
+    }
+  }
+  this->Shapes = std::move(shapes);
+  this->Offsets = std::move(offsets);
+  this->Connectivity = std::move(connectivity);
+  this->ViewOwn();
+  return "";
+}
+
+//------------------------------------------------------------------------------
+/// Gives the centre of a polyhedron an id, if its parts have it as a corner.
+void vtkIsosurfaceRayTraceTracedCells::AddCenter(vtkIdList* points, vtkIdList* parts)
+{
+  constexpr vtkIdType center = vtkIsosurfaceRayTracePolyhedron::Center;
+  if (std::find(parts->begin(), parts->end(), center) != parts->end())
+  {
+    std::replace(
+      parts->begin(), parts->end(), center, static_cast<vtkIdType>(this->View.NumberOfPoints));
+    this->Centers.emplace_back(points->begin(), points->end());
+    ++this->View.NumberOfPoints;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds what the centres of polyhedra have to an array of the points.
+void vtkIsosurfaceRayTraceTracedCells::AddMeans(vtkDataArray* array) const
+{
+  const int components = array->GetNumberOfComponents();
+  std::vector<double> mean(static_cast<std::size_t>(components));
+  vtkIdType center = this->CountPointsOfGrid();
+  for (const std::vector<vtkIdType>& points : this->Centers)
+  {
+    for (int i = 0; i < components; ++i)
+    {
+      mean[i] = MeanOf(array, points, i);
+    }
+    array->InsertTuple(center++, mean.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkIsosurfaceRayTraceTracedCells::CountPointsOfGrid() const
+{
+  return this->View.NumberOfPoints - static_cast<std::int64_t>(this->Centers.size());
+}
+
+//------------------------------------------------------------------------------
+double vtkIsosurfaceRayTraceTracedCells::FindMean(
+  std::int64_t center, vtkDataArray* array, int component) const
+{
+  return MeanOf(
+    array, this->Centers[static_cast<std::size_t>(center - this->CountPointsOfGrid())], component);
+}
+
+//------------------------------------------------------------------------------
+/// Replaces all cells by tetrahedra between their points, which agree on faces.
+void vtkIsosurfaceRayTraceTracedCells::Tetrahedralize(vtkPointSet* grid)
+{
+  auto copy = vtk::TakeSmartPointer(grid->NewInstance());
+  copy->CopyStructure(grid);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("ids");
+  ids->SetNumberOfValues(copy->GetNumberOfCells());
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues(), 0);
+  copy->GetCellData()->AddArray(ids);
+  vtkNew<vtkDataSetTriangleFilter> filter;
+  filter->SetInputData(copy);
+  filter->TetrahedraOnlyOn();
+  filter->Update();
+  vtkUnstructuredGrid* made = filter->GetOutput();
+  auto* idsOfMade = vtkIdTypeArray::SafeDownCast(made->GetCellData()->GetArray("ids"));
+  this->Shapes.clear();
+  this->Offsets = { 0 };
+  this->Connectivity.clear();
+  this->Ids.clear();
+  this->View.NumberOfPoints = this->CountPointsOfGrid();
+  this->Centers.clear();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < made->GetNumberOfCells(); ++i)
+  {
+    made->GetCellPoints(i, corners);
+    this->Shapes.push_back(VTK_TETRA);
+    this->Connectivity.insert(this->Connectivity.end(), corners->begin(), corners->end());
+    this->Offsets.push_back(static_cast<std::int64_t>(this->Connectivity.size()));
+    this->Ids.push_back(idsOfMade->GetValue(i));
+  }
+  this->ViewOwn();
+}
+
+//------------------------------------------------------------------------------
+/// Lists the cells that are kept here.
+void vtkIsosurfaceRayTraceTracedCells::ViewOwn()
+{
+  this->View.Dimensions = { 0, 0, 0 };
+  this->View.NumberOfCells = static_cast<std::int64_t>(this->Shapes.size());
+  this->View.Shapes = this->Shapes.data();
+  this->View.IdType = vtkirt::ScalarType::Int64;
+  this->View.Offsets = this->Offsets.data();
+  this->View.Connectivity = this->Connectivity.data();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIsosurfaceRayTraceTracedCells::GetWarning() const
+{
+  return this->FirstHull < 0 ? ""
+                             : "Cell " + std::to_string(this->FirstHull) +
+      " is a polyhedron that is not convex, and not all of it is seen from its centre. It is drawn "
+      "as its convex hull, and so are others like it. Divide them into convex cells.";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The cells of a grid as they are traced: where they are, or listed anew, if some are divided into
+// parts of shapes that are traced, or all are split into tetrahedra.
+
+#ifndef vtkIsosurfaceRayTraceTracedCells_h
+#define vtkIsosurfaceRayTraceTracedCells_h
+
+#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkType.h"                       // for vtkIdType
+
+#include "Mesh/MeshView.h"
+
+#include <cstdint> // for std::int64_t
+#include <string>  // for std::string
+#include <vector>  // for std::vector
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkIdList;
+class vtkIsosurfaceRayTraceReadArrays;
+class vtkPointSet;
+class vtkStructuredGrid;
+class vtkUnstructuredGrid;
+
+class vtkIsosurfaceRayTraceTracedCells
+{
+public:
+  /// Whether a grid has cells of three dimensions.
+  static bool HasVolume(vtkDataSet* grid);
+
+  /// Finds the cells of a grid. Returns why there are none to trace; else empty. Those of all
+  /// shapes are checked if VTK itself reads them.
+  std::string Select(vtkPointSet* grid, bool isTetrahedralized, bool areAllRead, int threads,
+    vtkIsosurfaceRayTraceReadArrays& arrays);
+
+  /// The cells, and the number of points; no arrays of these.
+  const vtkIsosurfaceRayTracing::MeshView& GetView() const { return this->View; }
+
+  /// The id in the grid of a cell, or of the one that it is a part of.
+  vtkIdType FindId(std::int64_t cell) const
+  {
+    return this->Ids.empty() ? cell : this->Ids[static_cast<std::size_t>(cell)];
+  }
+  /// Those of all cells, if some may be parts of others; else none.
+  const std::vector<vtkIdType>& GetIds() const { return this->Ids; }
+  /// The shape of one of these.
+  int GetShape(std::int64_t cell) const { return this->Shapes[static_cast<std::size_t>(cell)]; }
+
+  ///@{
+  /// Polyhedra may have their centre as one more point, after those of the grid: the mean of their
+  /// own. AddMeans adds what centres have to an array of the points.
+  bool HaveCenters() const { return !this->Centers.empty(); }
+  std::int64_t CountPointsOfGrid() const;
+  void AddMeans(vtkDataArray* array) const;
+  double FindMean(std::int64_t center, vtkDataArray* array, int component) const;
+  ///@}
+
+  /// What is not traced as it is; empty if nothing is.
+  std::string GetWarning() const;
+
+private:
+  std::string SelectLattice(vtkStructuredGrid* grid);
+  std::string SelectListed(vtkUnstructuredGrid* grid, bool areAllRead, int threads,
+    vtkIsosurfaceRayTraceReadArrays& arrays);
+  void ViewListed(vtkUnstructuredGrid* grid, vtkIsosurfaceRayTraceReadArrays& arrays);
+  std::string Subdivide(vtkUnstructuredGrid* grid);
+  void AddCenter(vtkIdList* points, vtkIdList* parts);
+  void Tetrahedralize(vtkPointSet* grid);
+  void ViewOwn();
+
+  vtkIsosurfaceRayTracing::MeshView View;
+  /// Listed cells, if they cannot be read where they are; if some had to be subdivided, also the
+  /// shapes of the parts, and the ids of the cells that they are parts of.
+  std::vector<unsigned char> Shapes;
+  std::vector<std::int64_t> Offsets;
+  std::vector<std::int64_t> Connectivity;
+  std::vector<vtkIdType> Ids;
+  /// The points of each polyhedron that has a centre.
+  std::vector<std::vector<vtkIdType>> Centers;
+  /// The first polyhedron whose hull is traced instead of it, or less than 0.
+  vtkIdType FirstHull = -1;
+};
+
+VTK_ABI_NAMESPACE_END
+
+#endif
