@@ -194,9 +194,12 @@ void vtkIsosurfacePicker::SetPickInfo(
   this->ResetPickInfo();
   vtkIdType cell;
   unsigned int flatIndex = 0;
-  vtkDataSet* grid = vtkIsosurfaceRayTraceEngine::Of(mapper)->FindBlock(hit.Cell, cell, flatIndex);
+  auto* engine = vtkIsosurfaceRayTraceEngine::Of(mapper);
+  const int connection = engine->FindConnection(hit.Cell);
+  vtkDataSet* grid = engine->FindBlock(hit.Cell, cell, flatIndex);
   this->Mapper = mapper;
-  this->CompositeDataSet = vtkCompositeDataSet::SafeDownCast(mapper->GetDataObjectInput());
+  this->CompositeDataSet =
+    vtkCompositeDataSet::SafeDownCast(mapper->GetInputDataObject(0, connection));
   this->FlatBlockIndex = this->CompositeDataSet ? static_cast<vtkIdType>(flatIndex) : -1;
   this->DataSet = grid;
   this->Isovalue = hit.Isovalue;
@@ -207,7 +210,7 @@ void vtkIsosurfacePicker::SetPickInfo(
   if (vtkPointSet::SafeDownCast(grid))
   {
     double inGrid[4] = { position[0], position[1], position[2], 1.0 };
-    if (vtkVolume* own = vtkIsosurfaceRayTraceEngine::Of(mapper)->FindConnectionVolume(hit.Cell))
+    if (vtkVolume* own = engine->GetConnectionVolume(connection))
     {
       vtkNew<vtkMatrix4x4> inverse;
       vtkMatrix4x4::Invert(own->GetMatrix(), inverse);

@@ -206,10 +206,15 @@ vtkDataSet* vtkIsosurfaceRayTraceEngine::FindBlock(
 }
 
 //------------------------------------------------------------------------------
-vtkVolume* vtkIsosurfaceRayTraceEngine::FindConnectionVolume(vtkIdType cellId) const
+int vtkIsosurfaceRayTraceEngine::FindConnection(vtkIdType cellId) const
 {
-  return this->TheClient.GetConnectionVolume(
-    std::max(0, this->Uses.GetLastInputs().FindConnection(cellId)));
+  return std::max(0, this->Uses.GetLastInputs().FindConnection(cellId));
+}
+
+//------------------------------------------------------------------------------
+vtkVolume* vtkIsosurfaceRayTraceEngine::GetConnectionVolume(int connection) const
+{
+  return this->TheClient.GetConnectionVolume(connection);
 }
 
 //------------------------------------------------------------------------------

@@ -114,8 +114,11 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
   ///@}
 
-  /// The volume of the connection that has a cell, which is numbered as for FindBlock; or null.
-  vtkVolume* FindConnectionVolume(vtkIdType cellId) const;
+  /// The connection that has a cell, which is numbered as for FindBlock.
+  int FindConnection(vtkIdType cellId) const;
+
+  /// The volume of a connection, or null.
+  vtkVolume* GetConnectionVolume(int connection) const;
 
   /// What surfaces are, where a mapper draws nothing else.
   enum class Opacity

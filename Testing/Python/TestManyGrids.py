@@ -33,7 +33,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 import vtkmodules.vtkRenderingOpenGL2  # the window
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
+from vtkIsosurfaceRayTracing import vtkIsosurfacePicker, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
 from PictureTesting import capture
 from MeshTesting import (
@@ -616,6 +616,35 @@ class TestManyGrids(unittest.TestCase):
         volume.ComputeMatrix()
         for hit, other in zip(cast(mapper, volume, moved), expected):
             self.assertAlmostEqual(hit[1], other[1], delta=1e-9)
+
+    def test_picks_name_the_composite_data_of_their_connection(self):
+        """And none, where the connection is a grid by itself."""
+        grid = make_image((0.3, 0.2, 0.1), (0.41, 0.37, 0.43), 13, ball)
+        blocks = [make_grid(VTK_TETRA, ball), make_image((8.3, 0.2, 0.1), (0.41, 0.37, 0.43), 13, lambda p: ball((p[0] - 8, *p[1:])))]
+        composite = multi_block(blocks)
+        for inputs in ([grid, composite], [composite, grid]):
+            mapper, volume = make_volume(None, 0.0, mapper_class=vtkIsosurfaceRayTraceMapper)
+            for i, data in enumerate(inputs):
+                producer = vtkTrivialProducer()
+                producer.SetOutput(data)
+                mapper.AddInputConnection(0, producer.GetOutputPort())
+                own = vtkVolume()
+                own.SetProperty(volume.GetProperty())
+                own.SetPosition(0.0, 0.0 if data is grid else 8.0, 0.0)
+                mapper.SetConnectionVolume(i, own)
+            renderer = vtkRenderer()
+            renderer.AddVolume(volume)
+            window = vtkRenderWindow()
+            window.SetOffScreenRendering(1)
+            window.SetSize(PIXELS, PIXELS)
+            window.AddRenderer(renderer)
+            renderer.ResetCamera()
+            picked = set()
+            for pixel in range(0, PIXELS**2, 31):
+                picker = vtkIsosurfacePicker()
+                if picker.Pick(pixel % PIXELS, pixel // PIXELS, 0, renderer):
+                    picked.add((picker.GetDataSet(), picker.GetCompositeDataSet(), picker.GetFlatBlockIndex()))
+            self.assertEqual(picked, {(grid, None, -1), (blocks[0], composite, 1), (blocks[1], composite, 2)})
 
     def test_caps_of_connections_in_one_plane(self):
         """The first is in front, whatever the rounding of each."""
