@@ -50,17 +50,13 @@ PickedPoint::~PickedPoint() = default;
 double PickedPoint::FindValue()
 {
   constexpr double tolerance = 1e-6; // of the diagonal of the data
-  const double* position = this->Picker->GetPickPosition();
-  vtkIsosurfaceRayTraceMapper* mapper = this->TheScene.GetMapper();
-  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  vtkPlaneCollection* planes = this->TheScene.GetMapper()->GetClippingPlanes();
   const bool isOfCap = planes && planes->GetNumberOfItems() > 0 &&
     planes->GetItem(0)->DistanceToPlane(this->Picker->GetPickPosition()) <
       tolerance * this->TheScene.GetVolume()->GetLength();
-  vtkIdType cell = 0;
-  unsigned int flatIndex = 0;
-  vtkDataSet* block =
-    isOfCap ? mapper->FindBlock(this->Picker->GetCellId(), cell, flatIndex) : nullptr;
-  return block ? this->TheScalars.GetValue(block, cell, position) : this->Picker->GetIsovalue();
+  return isOfCap ? this->TheScalars.GetValue(this->Picker->GetDataSet(), this->Picker->GetCellId(),
+                     this->Picker->GetPCoords())
+                 : this->Picker->GetIsovalue();
 }
 
 //------------------------------------------------------------------------------

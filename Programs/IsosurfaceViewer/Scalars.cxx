@@ -225,7 +225,7 @@ double Scalars::FindThreshold() const
 }
 
 //------------------------------------------------------------------------------
-double Scalars::GetValue(vtkDataSet* block, vtkIdType cell, const double position[3]) const
+double Scalars::GetValue(vtkDataSet* block, vtkIdType cell, const double parametric[3]) const
 {
   vtkDataArray* array = this->FindIn(block);
   const auto get = [&](vtkIdType tuple)
@@ -239,11 +239,9 @@ double Scalars::GetValue(vtkDataSet* block, vtkIdType cell, const double positio
   }
   vtkCell* interpolated = block->GetCell(cell);
   std::vector<double> weights(static_cast<std::size_t>(interpolated->GetNumberOfPoints()));
-  double closest[3];
-  double parametric[3];
-  double distance = 0.0;
+  double position[3];
   int part = 0;
-  interpolated->EvaluatePosition(position, closest, part, parametric, distance, weights.data());
+  interpolated->EvaluateLocation(part, parametric, position, weights.data());
   double value = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i)
   {

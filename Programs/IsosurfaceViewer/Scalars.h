@@ -42,8 +42,9 @@ public:
   /// The value between the two classes of values that differ most (N. Otsu, 1979).
   double FindThreshold() const;
 
-  /// The value at a position in a cell of a block; of an array of cells, that of the cell.
-  double GetValue(vtkDataSet* block, vtkIdType cell, const double position[3]) const;
+  /// The value at parametric coordinates in a cell of a block; of an array of cells, that of the
+  /// cell.
+  double GetValue(vtkDataSet* block, vtkIdType cell, const double parametric[3]) const;
 
   /// Has a mapper take this array.
   void SelectFor(vtkAbstractVolumeMapper* mapper) const;

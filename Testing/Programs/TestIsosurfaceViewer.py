@@ -170,6 +170,32 @@ class TestIsosurfaceViewer(unittest.TestCase):
         viewer.wait_until(lambda picture: not is_marked(picture), "a picture without a marker")
         viewer.quit()
 
+    def test_picking_on_caps(self):
+        """The value is the same in whichever order the blocks are, and whichever way the axes of images point."""
+        left, right, turned = make_waves(), make_waves(), make_waves()
+        right.SetOrigin(60.5, 0.0, 0.0)  # on another lattice
+        samples = vtk_to_numpy(left.GetPointData().GetScalars()).reshape(41, 41, 41)
+        vtk_to_numpy(turned.GetPointData().GetScalars())[:] = samples[::-1].transpose(0, 2, 1).ravel()
+        turned.SetExtent(0, 40, 0, 40, 0, 40)
+        turned.SetOrigin(-20.0, -20.0, 20.0)
+        turned.SetDirectionMatrix(0, 1, 0, 1, 0, 0, 0, 0, -1)
+        files = {name: self.write(vtkXMLImageDataWriter(), f"{name}.vti", image)
+                 for name, image in (("left", left), ("right", right), ("turned", turned))}
+        for names, others, places in ((["left", "right"], ["right", "left"], (0.25, 0.7)), (["left"], ["turned"], (0.45,))):
+            texts = []
+            for blocks in (names, others):
+                viewer = self.start(*(files[name] for name in blocks))
+                viewer.press("x")
+                texts.append([])
+                for place in places:
+                    xdotool("mousemove", round(place * SIZE[0]), viewer.middle[1])
+                    viewer.press("p")
+                    texts[-1].append(viewer.wait_for_rest()[32:48, :290])
+                viewer.quit()
+            for text, other in zip(*texts):
+                self.assertGreater(differ(text, text[:, -1:]), 0.1)
+                self.assertLess(differ(text, other), 0.02, (names, others))
+
     def test_help(self):
         viewer = self.start("--demo")
         plain = viewer.wait_for_rest()
