@@ -110,6 +110,9 @@ Window::Window(vtkDataObject* data, const Scalars& scalars, const std::vector<do
   vtkNew<CameraStyle> style;
   this->Interactor->SetInteractorStyle(style);
   this->Interactor->SetDesiredUpdateRate(FramesPerSecond);
+  // The window takes a new size from the X server without a word to what is laid out in pixels.
+  this->Interactor->AddObserver(
+    vtkCommand::ConfigureEvent, this->TheWindow.Get(), &vtkRenderWindow::Modified);
   this->Interactor->AddObserver(vtkCommand::KeyPressEvent, this, &Window::OnKey);
   this->Interactor->AddObserver(
     vtkCommand::LeftButtonPressEvent, this, &Window::OnPress, BeforeStyle);

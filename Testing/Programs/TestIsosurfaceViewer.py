@@ -136,6 +136,20 @@ class TestIsosurfaceViewer(unittest.TestCase):
             plain = changed
         self.assertIn("frames while moving", viewer.quit())
 
+    def test_resizing(self):
+        """The sliders fill the new window, also where its size changes while a frame is drawn."""
+        viewer = self.start(write_waves(self.folder))
+        for i in range(8):
+            viewer.wait_for_rest()
+            viewer.press("s")
+            for size in ((700 + 10 * i, 600), SIZE):
+                xdotool("windowsize", viewer.window, *size)
+            picture = viewer.wait_for_rest()
+            bar = picture[round(SIZE[1] * (1.0 - 0.116)), round(0.05 * SIZE[0]) : round(0.3 * SIZE[0])]
+            self.assertEqual(picture.shape[:2], SIZE[::-1])
+            self.assertGreater(bar.min(), 200, i)
+        viewer.quit()
+
     def test_dragging(self):
         """The surface turns; it is refined while the button is held, and after that as it was."""
         viewer = self.start(write_waves(self.folder))
