@@ -40,7 +40,7 @@ bool vtkIsosurfaceRayTraceBlock::Shows(const vtkirt::Index3& cell, int hiding) c
   }
   return !ofPoints ||
     !vtkIsosurfaceRayTraceGhosts::HasAtCorner(
-      ofPoints, cell, this->GetPoints(), vtkIsosurfaceRayTraceGhosts::HiddenPoint);
+      ofPoints->GetPointer(0), cell, this->GetPoints(), vtkIsosurfaceRayTraceGhosts::HiddenPoint);
 }
 
 //------------------------------------------------------------------------------

@@ -13,8 +13,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkUnsignedCharArray;
-
 class vtkIsosurfaceRayTraceGhosts
 {
 public:
@@ -31,7 +29,7 @@ public:
 
   /// Whether a corner of a cell has one of some bits: the flags are those of points on a lattice
   /// with a size, of which the cell has the first.
-  static bool HasAtCorner(vtkUnsignedCharArray* flags, const vtkIsosurfaceRayTracing::Index3& first,
+  static bool HasAtCorner(const unsigned char* flags, const vtkIsosurfaceRayTracing::Index3& first,
     const vtkIsosurfaceRayTracing::Index3& size, int bits);
 };
 

@@ -18,6 +18,38 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkirt = vtkIsosurfaceRayTracing;
 
+namespace
+{
+
+/// The flags of the cells of a grid, of which those with a hidden point are hidden.
+std::vector<unsigned char> FindCellFlags(
+  vtkDataSet* grid, const vtkirt::Index3& points, const vtkirt::Index3& cells)
+{
+  std::vector<unsigned char> flags(vtkirt::Count(cells), 0);
+  if (vtkUnsignedCharArray* ofCells = grid->GetCellGhostArray())
+  {
+    std::copy_n(ofCells->GetPointer(0), flags.size(), flags.begin());
+  }
+  vtkUnsignedCharArray* ofPoints = grid->GetPointGhostArray();
+  for (int z = 0; ofPoints && z < cells[2]; ++z)
+  {
+    for (int y = 0; y < cells[1]; ++y)
+    {
+      for (int x = 0; x < cells[0]; ++x)
+      {
+        if (vtkIsosurfaceRayTraceGhosts::HasAtCorner(ofPoints->GetPointer(0), { x, y, z }, points,
+              vtkIsosurfaceRayTraceGhosts::HiddenPoint))
+        {
+          flags[vtkirt::Offset({ x, y, z }, cells)] |= vtkDataSetAttributes::HIDDENCELL;
+        }
+      }
+    }
+  }
+  return flags;
+}
+
+}
+
 //------------------------------------------------------------------------------
 /// What a field was built from, and how. While it is the same, so is the field.
 struct vtkIsosurfaceRayTraceSource::Key
@@ -212,13 +244,12 @@ void vtkIsosurfaceRayTraceSource::UpdateHiddenCells(vtkDataSet* grid, bool areOf
   const vtkirt::Index3 points = vtkIsosurfaceRayTraceGeometry::GetDimensions(grid);
   this->Cells = { points[0] - 1, points[1] - 1, points[2] - 1 };
   this->HiddenCells.clear();
-  vtkUnsignedCharArray* pointFlags = grid->GetPointGhostArray();
-  vtkUnsignedCharArray* cellFlags = grid->GetCellGhostArray();
-  if (!cellFlags && (areOfCells || !pointFlags))
+  if (!grid->GetCellGhostArray() && !grid->GetPointGhostArray())
   {
     return;
   }
   using Ghosts = vtkIsosurfaceRayTraceGhosts;
+  const std::vector<unsigned char> flags = FindCellFlags(grid, points, this->Cells);
   const int fewer = areOfCells ? 1 : 0;
   const vtkirt::Index3 size = { this->Cells[0] - fewer, this->Cells[1] - fewer,
     this->Cells[2] - fewer };
@@ -230,18 +261,10 @@ void vtkIsosurfaceRayTraceSource::UpdateHiddenCells(vtkDataSet* grid, bool areOf
       for (int x = 0; x < size[0]; ++x)
       {
         const vtkirt::Index3 cell = { x, y, z };
-        const auto number = static_cast<vtkIdType>(vtkirt::Offset(cell, this->Cells));
-        const int flags = cellFlags ? cellFlags->GetValue(number) : 0;
-        bool isHidden = (flags & (Ghosts::Blanked | Ghosts::Duplicate)) != 0;
-        if (areOfCells)
-        {
-          // A cell between the centres of eight is that of the piece that has the first of them.
-          isHidden = isHidden || Ghosts::HasAtCorner(cellFlags, cell, this->Cells, Ghosts::Blanked);
-        }
-        else if (pointFlags)
-        {
-          isHidden = isHidden || Ghosts::HasAtCorner(pointFlags, cell, points, Ghosts::HiddenPoint);
-        }
+        // A cell between the centres of eight is that of the piece that has the first of them.
+        const bool isHidden =
+          (flags[vtkirt::Offset(cell, this->Cells)] & (Ghosts::Blanked | Ghosts::Duplicate)) != 0 ||
+          (areOfCells && Ghosts::HasAtCorner(flags.data(), cell, this->Cells, Ghosts::Blanked));
         this->HiddenCells.push_back(isHidden ? 1 : 0);
       }
     }

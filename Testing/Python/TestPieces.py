@@ -58,6 +58,26 @@ def hits_of(piece, rays):
 
 
 class TestPieces(unittest.TestCase):
+    def test_a_hidden_point_hides_the_cells_around_it(self):
+        """Whether the scalars are of points or of cells."""
+        rays = parallel_rays(41)
+        for of_cells, is_rectilinear in itertools.product((False, True), repeat=2):
+            shown, expected, piece = (make_piece([(0, n) for n in CELLS], 0, of_cells, is_rectilinear) for _ in range(3))
+            flags = vtkUnsignedCharArray()
+            flags.SetName(vtkDataSetAttributes.GhostArrayName())
+            for z, y, x in itertools.product(*[range(CELLS[k] + 1) for k in (2, 1, 0)]):
+                is_hidden = (x + 3 * y + 5 * z) % 37 == 0
+                flags.InsertNextValue(vtkDataSetAttributes.HIDDENPOINT if is_hidden else 0)
+            piece.GetPointData().AddArray(flags)
+            for i in range(expected.GetNumberOfCells()):
+                corners = expected.GetCell(i).GetPointIds()
+                if any(flags.GetValue(corners.GetId(k)) for k in range(8)):
+                    expected.GetCellData().GetArray(flags.GetName()).SetValue(i, vtkDataSetAttributes.HIDDENCELL)
+            hits = hits_of(piece, rays)
+            self.assertEqual(hits, hits_of(expected, rays))
+            self.assertGreater(len(hits), 50)
+            self.assertLess(len(hits), len(hits_of(shown, rays)))
+
     def test_every_hit_is_of_one_piece(self):
         rays = parallel_rays(40)
         cuts = [[(0, n // 2), (n // 2, n)] for n in CELLS]
