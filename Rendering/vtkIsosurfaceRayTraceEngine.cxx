@@ -223,10 +223,11 @@ std::string vtkIsosurfaceRayTraceEngine::SelectInputs(vtkIsosurfaceRayTraceInput
 {
   std::string problem = vtkIsosurfaceRayTraceRequest::FindProblem(this->TheClient.GetSettings());
   inputs.SetNumber(static_cast<int>(volumes.OfConnections.size()));
+  const bool mayBeEmpty = isOfPiece || inputs.HasData();
   for (int i = 0; i < inputs.GetNumber() && problem.empty(); ++i)
   {
     vtkIsosurfaceRayTraceInput& input = inputs.Get(i);
-    if (isOfPiece && !input.HasData())
+    if (mayBeEmpty && !input.HasData())
     {
       input.SelectNothing();
       continue;
@@ -436,7 +437,7 @@ try
     vtkirt::TraceRequest request(vtkIsosurfaceRayTraceScene::GetSurfaces(
       volumes.GetProperty(i), input.GetPropertyComponent()));
     input.SetOpacities(request);
-    const bool areVisible = volumes.IsVisible(i) && !request.Surfaces.empty();
+    const bool areVisible = volumes.IsVisible(i) && input.HasData() && !request.Surfaces.empty();
     areAny = areAny || areVisible;
     areOpaque = areOpaque && (!areVisible || request.HasOnlyOpaqueSurfaces());
   }

@@ -13,12 +13,14 @@
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointSet.h"
+#include "vtkSmartPointer.h"
 #include "vtkUniformGridAMR.h"
 
 #include "Math/Matrix.h"
@@ -193,8 +195,22 @@ bool vtkIsosurfaceRayTraceInput::MayHaveCloud() const
 //------------------------------------------------------------------------------
 bool vtkIsosurfaceRayTraceInput::HasData() const
 {
+  const auto hasPoints = [](vtkDataObject* data)
+  { return data->GetNumberOfElements(vtkDataObject::POINT) > 0; };
   vtkDataObject* data = this->GetData();
-  return data && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return data && hasPoints(data);
+  }
+  // Not all of thousands of blocks are asked in every frame.
+  const auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
+  iterator->InitTraversal();
+  while (!iterator->IsDoneWithTraversal() && !hasPoints(iterator->GetCurrentDataObject()))
+  {
+    iterator->GoToNextItem();
+  }
+  return !iterator->IsDoneWithTraversal();
 }
 
 //------------------------------------------------------------------------------

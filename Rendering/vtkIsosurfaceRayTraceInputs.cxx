@@ -111,6 +111,13 @@ bool vtkIsosurfaceRayTraceInputs::IsCoarse() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceInputs::HasData() const
+{
+  return std::any_of(this->Inputs.begin(), this->Inputs.end(),
+    [](const std::unique_ptr<vtkIsosurfaceRayTraceInput>& input) { return input->HasData(); });
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceInputs::GetWarning() const
 {
   std::string warning;

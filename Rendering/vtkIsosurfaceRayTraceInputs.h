@@ -56,6 +56,8 @@ public:
   void ReadSlab(int threads);
   double GetFractionRead() const;
   bool IsCoarse() const;
+  /// Whether any has data.
+  bool HasData() const;
   /// Whether all samples are read, and traced.
   bool IsExact() const { return !this->IsCoarse() && this->GetFractionRead() == 1.0; }
   std::string GetWarning() const;

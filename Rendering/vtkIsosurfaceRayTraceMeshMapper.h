@@ -205,8 +205,9 @@ public:
    * property (isovalues, colours, opacities, material) and their place: its matrix leads from the
    * coordinates of the data to those of the volume that the mapper draws. If it is not visible
    * (VisibilityOff), nothing of the connection is: no ray hits it, and the bounds are those of the
-   * others. It must not be in a renderer by itself. Null, the default: the property is that of the
-   * drawn volume, and the data are where they are. Cells are numbered through all connections.
+   * others. Data without points are passed over, unless no connection has any. The volume must not
+   * be in a renderer by itself. Null, the default: the property is that of the drawn volume, and
+   * the data are where they are. Cells are numbered through all connections.
    */
   void SetConnectionVolume(int connection, vtkVolume* volume);
   vtkVolume* GetConnectionVolume(int connection) const;

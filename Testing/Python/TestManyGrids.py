@@ -705,6 +705,28 @@ class TestManyGrids(unittest.TestCase):
         self.assertEqual(errors_of(mapper, lambda: self.assertEqual(cast(mapper, volume, rays), [])), [])
         self.assertFalse(mapper.HasOnlyOpaqueSurfaces(volume))
 
+    def test_connections_without_data(self):
+        """The others are there, as in a time step for which a filter leaves nothing."""
+        rays = parallel_rays(21)
+        mapper, volume, alone, data = self.make_two_volumes(vtkIsosurfaceRayTraceMapper)
+        both = cast(mapper, volume, rays)
+        empty = [multi_block([data[0].NewInstance()]), data[1].NewInstance()]
+        producers = [mapper.GetInputConnection(0, i).GetProducer() for i in (0, 1)]
+        for i in (0, 1):
+            producers[i].SetOutput(empty[i])
+            alone[1 - i][1].ComputeMatrix()
+            self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, rays)), [])
+            expected = cast(*alone[1 - i], rays)
+            self.assertGreater(len(expected), 50)
+            self.assertEqual([hit[:1] + hit[2:3] for hit in cast(mapper, volume, rays)], [hit[:1] + hit[2:3] for hit in expected])
+            self.assertEqual(self.draw(mapper, volume), self.draw(*alone[1 - i]))
+            producers[i].SetOutput(data[i])
+            self.assertEqual(cast(mapper, volume, rays), both)
+        for i in (0, 1):
+            producers[i].SetOutput(empty[i])
+        (message,) = errors_of(mapper, lambda: cast(mapper, volume, rays))
+        self.assertIn("Connection 0: ", message)
+
     def test_blocks_of_a_connection_that_was_hidden(self):
         """They are where they were, in every call."""
         images = [make_image((3.0 * i, 0.2, 0.1), (0.41, 0.37, 0.43), 13, ball) for i in (0, 1)]
