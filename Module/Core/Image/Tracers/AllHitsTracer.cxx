@@ -35,17 +35,8 @@ void AllHitsTracer::FindHits(RayHits& hits)
 //------------------------------------------------------------------------------
 int AllHitsTracer::KeepNeeded(const Frustum& /*frustum*/, int* passages, int count) const
 {
-  if (!this->EndsAllRays)
-  {
-    return count;
-  }
-  int kept = 0;
-  for (int i = 0; i < count; ++i)
-  {
-    passages[kept] = passages[i];
-    kept += this->Passed.Hits[passages[i]] ? 0 : 1;
-  }
-  return kept;
+  return KeepOthers([this](int passage) { return this->EndsAllRays && this->Passed.Hits[passage]; },
+    passages, count);
 }
 
 //------------------------------------------------------------------------------
@@ -81,7 +72,7 @@ void AllHitsTracer::EndQueuedSlice(const Frustum& /*frustum*/)
   this->SolveWaiting();
   for (int ray = 0; ray < this->Rays.Count; ++ray)
   {
-    if (this->LastOfRay[static_cast<std::size_t>(ray)] >= 0 && this->AddHits(ray))
+    if (this->LastOfRay[static_cast<std::size_t>(ray)] >= 0 && this->AddHitsInSlice(ray))
     {
       Remove(ray, this->Going);
     }
@@ -91,7 +82,7 @@ void AllHitsTracer::EndQueuedSlice(const Frustum& /*frustum*/)
 
 //------------------------------------------------------------------------------
 /// Adds the hits of a ray in a slice, in order. Returns whether nothing of the ray is left.
-bool AllHitsTracer::AddHits(int ray)
+bool AllHitsTracer::AddHitsInSlice(int ray)
 {
   this->OfRay.clear();
   int next = std::exchange(this->LastOfRay[static_cast<std::size_t>(ray)], -1);
@@ -158,13 +149,8 @@ bool AllHitsTracer::AddRootsInCell(int ray, const Index3& cell)
     return false;
   }
   this->TheCells.FindRoots(cell, segment, false, this->InCell);
-  return std::any_of(this->InCell.Get().begin(), this->InCell.Get().end(),
-    [&](const Root& root)
-    {
-      return this->Collector.Add(ray,
-        MakeHit(
-          own, this->Selection.Lattice, cell, segment, root.Fraction, root.Surface, root.Entering));
-    });
+  return AddHits(own, this->Selection.Lattice, cell, segment, this->InCell,
+    [this, ray](const Hit& hit) { return this->Collector.Add(ray, hit); });
 }
 
 }

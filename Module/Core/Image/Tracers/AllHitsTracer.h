@@ -48,7 +48,7 @@ private:
   void KeepSolutions(int surface) override;
   void AddRoot(int candidate, int surface, bool isPartial);
   void EndQueuedSlice(const Frustum& frustum) override;
-  bool AddHits(int ray);
+  bool AddHitsInSlice(int ray);
   bool AddHitsInCell(int ray, Roots::const_iterator first, Roots::const_iterator last);
   bool AddRootsInCell(int ray, const Index3& cell);
 

@@ -8,7 +8,6 @@
 #include "Image/Traversal/CellTraversal.h"
 #include "Image/Traversal/RayFollower.h"
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -16,17 +15,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-/// Adds the hits of the roots in a cell. Returns whether nothing of the ray is left: add(hit) does.
-template <typename Add>
-bool AddHits(const Ray& ray, const CellLattice& lattice, const Index3& cell,
-  const CellSegment& segment, const RootSet& roots, const Add& add)
-{
-  return std::any_of(roots.Get().begin(), roots.Get().end(),
-    [&](const Root& root) {
-      return add(MakeHit(ray, lattice, cell, segment, root.Fraction, root.Surface, root.Entering));
-    });
-}
 
 //------------------------------------------------------------------------------
 /// The cells for the rays of a packet that are followed.

@@ -10,6 +10,8 @@
 #include "Image/Tracers/ImageSelection.h"
 #include "Image/Traversal/PacketTracer.h"
 
+#include <algorithm>
+
 // Surfaces that are found as the roots of polynomials along the segments of rays in cells.
 
 namespace vtkIsosurfaceRayTracing
@@ -28,6 +30,17 @@ public:
   virtual void FindRoots(
     const Index3& cell, const CellSegment& segment, bool all, RootSet& roots) = 0;
 };
+
+/// Adds the hits of the roots in a cell. Returns whether nothing of the ray is left: add(hit) does.
+template <typename Add>
+bool AddHits(const Ray& ray, const CellLattice& lattice, const Index3& cell,
+  const CellSegment& segment, const RootSet& roots, const Add& add)
+{
+  return std::any_of(roots.Get().begin(), roots.Get().end(),
+    [&](const Root& root) {
+      return add(MakeHit(ray, lattice, cell, segment, root.Fraction, root.Surface, root.Entering));
+    });
+}
 
 /// Appends the hits of the rays of a packet.
 void TraceRoots(

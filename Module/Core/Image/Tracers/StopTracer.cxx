@@ -16,16 +16,11 @@ const StoppedRays& StopTracer::FindStopped()
 }
 
 //------------------------------------------------------------------------------
-/// (Whether a ray needs more is unpredictable: counting is faster than branching.)
 int StopTracer::KeepNeeded(const Frustum& /*frustum*/, int* passages, int count) const
 {
-  int kept = 0;
-  for (int i = 0; i < count; ++i)
-  {
-    passages[kept] = passages[i];
-    kept += Has(this->Stopped.Stopped, this->Passed.Segments[passages[i]].Ray) ? 0 : 1;
-  }
-  return kept;
+  return KeepOthers([this](int passage)
+    { return Has(this->Stopped.Stopped, this->Passed.Segments[passage].Ray); },
+    passages, count);
 }
 
 //------------------------------------------------------------------------------

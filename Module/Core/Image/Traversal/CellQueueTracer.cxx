@@ -86,7 +86,7 @@ inline void CellQueueTracer::AddCellsOfSlice(int axis, int passage, int slice)
 
 //------------------------------------------------------------------------------
 /// Queues the cells of every passage, slice by slice, up to where it is over. (Whether a ray needs
-/// more is unpredictable: counting is faster than branching, here and in KeepNeeded.)
+/// more is unpredictable: counting is faster than branching.)
 void CellQueueTracer::TakePassages(const Frustum& frustum)
 {
   int waiting[Passages::Capacity];

@@ -48,6 +48,19 @@ protected:
   virtual void TakeQueue(const Frustum& frustum) = 0;
   /// Keeps those of some passages whose rest is needed. Returns how many there are.
   virtual int KeepNeeded(const Frustum& frustum, int* passages, int count) const = 0;
+  /// Keeps the passages that are not over. (Whether a ray needs more is unpredictable: counting is
+  /// faster than branching.)
+  template <typename IsOver>
+  static int KeepOthers(const IsOver& isOver, int* passages, int count)
+  {
+    int kept = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      passages[kept] = passages[i];
+      kept += isOver(passages[i]) ? 0 : 1;
+    }
+    return kept;
+  }
   /// Called behind the last cell of a slice of blocks.
   virtual void EndQueuedSlice(const Frustum& frustum) = 0;
 

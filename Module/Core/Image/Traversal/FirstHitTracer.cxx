@@ -56,7 +56,7 @@ int FirstHitTracer::KeepNeeded(const Frustum& frustum, int* passages, int count)
 {
   if (this->SolvesAtOnce)
   {
-    return this->KeepOthers(
+    return KeepOthers(
       [this, &frustum](int passage)
       {
         return this->Passed.Hits[passage] ||
@@ -65,21 +65,7 @@ int FirstHitTracer::KeepNeeded(const Frustum& frustum, int* passages, int count)
       },
       passages, count);
   }
-  return this->KeepOthers(
-    [this](int passage) { return this->Passed.Hits[passage]; }, passages, count);
-}
-
-//------------------------------------------------------------------------------
-template <typename IsOver>
-int FirstHitTracer::KeepOthers(const IsOver& isOver, int* passages, int count) const
-{
-  int kept = 0;
-  for (int i = 0; i < count; ++i)
-  {
-    passages[kept] = passages[i];
-    kept += isOver(passages[i]) ? 0 : 1;
-  }
-  return kept;
+  return KeepOthers([this](int passage) { return this->Passed.Hits[passage]; }, passages, count);
 }
 
 //------------------------------------------------------------------------------

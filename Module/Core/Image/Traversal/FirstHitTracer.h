@@ -66,8 +66,6 @@ private:
   void AddCroppedCells(const Frustum& frustum, const Index3& block, int first) override;
   void EndQueuedSlice(const Frustum& frustum) override;
   int KeepNeeded(const Frustum& frustum, int* passages, int count) const override;
-  template <typename IsOver>
-  int KeepOthers(const IsOver& isOver, int* passages, int count) const;
   bool IsBehindHit(const Frustum& frustum, int passage) const;
   void TakeQueue(const Frustum& frustum) override;
   void SolveCandidates();
