@@ -4,10 +4,8 @@
 #ifndef BoxFirstHits_h
 #define BoxFirstHits_h
 
-#include "Image/Cells/BoxFaces.h"
-#include "Image/Macrocells/CellMasks.h"
+#include "Image/Tracers/BoxCells.h"
 #include "Image/Tracers/CornerRows.h"
-#include "Image/Tracers/ImageSelection.h"
 #include "Image/Traversal/FirstHitTracer.h"
 
 #include <algorithm>
@@ -26,23 +24,18 @@ public:
     const ImageSelection& selection, const RayPacket& rays, CellMasks<T>& masks, Layout& bricks)
     : Selection(selection)
     , Rays(rays)
-    , Masks(masks)
-    , Reader(bricks)
-    , Corners(this->Reader)
+    , Cells(selection, masks, bricks)
+    , Corners(this->Cells.GetReader())
   {
   }
   BoxFirstHits(const BoxFirstHits&) = delete;
   BoxFirstHits& operator=(const BoxFirstHits&) = delete;
 
-  void Prefetch(const Index3& block) override
-  {
-    this->Masks.Prefetch(block);
-    this->Reader.Prefetch(BlockMask::GetFirstCell(block));
-  }
+  void Prefetch(const Index3& block) override { this->Cells.Prefetch(block); }
 
   const BlockMask& GetMask(const Index3& block, BlockMask& own) override
   {
-    return this->Masks.Get(block, own);
+    return this->Cells.GetMask(block, own);
   }
 
   CellQueueTracer::CornerSource& GetCorners() override { return this->Corners; }
@@ -74,14 +67,8 @@ public:
   /// Only hits are requested.
   bool FindFirstHit(int ray, const Index3& cell, Hit& hit, Crossing& begin) override
   {
-    const Ray own = this->Selection.TakeRay(this->Rays, ray);
-    typename Layout::Value corners[8];
-    this->Reader.Load(cell, corners);
-    CellCorners values;
-    std::copy(corners, corners + 8, values.begin());
     std::vector<FaceHit> faces;
-    FindFaceHits(
-      own, cell, values, this->Selection.Lattice, this->Selection.Request.Surfaces, faces);
+    this->Cells.FindFaces(this->Selection.TakeRay(this->Rays, ray), cell, faces);
     std::vector<Hit> hits;
     HitCollector collector = this->Selection.NewCollector(hits);
     const auto first = std::find_if(faces.begin(), faces.end(),
@@ -100,8 +87,7 @@ private:
 
   const ImageSelection& Selection;
   const RayPacket& Rays;
-  CellMasks<T>& Masks;
-  typename Layout::Reader Reader;
+  BoxCells<T, Layout> Cells;
   Rows Corners;
 };
 

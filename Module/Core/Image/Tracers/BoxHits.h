@@ -4,13 +4,11 @@
 #ifndef BoxHits_h
 #define BoxHits_h
 
-#include "Image/Cells/BoxFaces.h"
-#include "Image/Macrocells/CellMasks.h"
+#include "Image/Tracers/BoxCells.h"
 #include "Image/Tracers/PacketCollector.h"
 #include "Image/Traversal/RayFollower.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -26,21 +24,16 @@ public:
     const ImageSelection& selection, const RayPacket& rays, CellMasks<T>& masks, Layout& bricks)
     : Selection(selection)
     , Rays(rays)
-    , Masks(masks)
-    , Reader(bricks)
+    , Cells(selection, masks, bricks)
     , Collector(selection, rays.Count)
   {
   }
 
-  void Prefetch(const Index3& block) override
-  {
-    this->Masks.Prefetch(block);
-    this->Reader.Prefetch(BlockMask::GetFirstCell(block));
-  }
+  void Prefetch(const Index3& block) override { this->Cells.Prefetch(block); }
 
   const BlockMask& GetMask(const Index3& block, BlockMask& own) override
   {
-    return this->Masks.Get(block, own);
+    return this->Cells.GetMask(block, own);
   }
 
   bool Follow(int ray, const std::vector<Index3>& cells) override
@@ -49,12 +42,7 @@ public:
     this->Faces.clear();
     for (const Index3& cell : cells)
     {
-      typename Layout::Value corners[8];
-      this->Reader.Load(cell, corners);
-      CellCorners values;
-      std::copy(corners, corners + 8, values.begin());
-      FindFaceHits(
-        own, cell, values, this->Selection.Lattice, this->Selection.Request.Surfaces, this->Faces);
+      this->Cells.FindFaces(own, cell, this->Faces);
     }
     std::sort(this->Faces.begin(), this->Faces.end());
     return std::any_of(this->Faces.begin(), this->Faces.end(),
@@ -67,8 +55,7 @@ public:
 private:
   const ImageSelection& Selection;
   const RayPacket& Rays;
-  CellMasks<T>& Masks;
-  typename Layout::Reader Reader;
+  BoxCells<T, Layout> Cells;
   PacketCollector Collector;
   /// Kept for its memory.
   std::vector<FaceHit> Faces;

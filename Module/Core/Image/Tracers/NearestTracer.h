@@ -4,8 +4,6 @@
 #ifndef NearestTracer_h
 #define NearestTracer_h
 
-#include "Image/Cells/BoxFaces.h"
-#include "Image/Macrocells/CellMasks.h"
 #include "Image/Macrocells/MacrocellHierarchy.h"
 #include "Image/Samples/Unbricked.h"
 #include "Image/Tracers/BoxFirstHits.h"
@@ -49,21 +47,24 @@ public:
 protected:
   void TraceSurfaces(RayPacket& rays, RayHits& hits) override
   {
-    if (this->Selection.Isovalues.size() == 1 && this->Selection.IsOpaque(0) &&
-      this->Selection.CanTracePacket(rays))
+    const bool endsRays = this->Selection.Request.HasOnlyOpaqueSurfaces();
+    const bool isOne = this->Selection.Isovalues.size() == 1;
+    // To the first of several surfaces it is less to go cell by cell than through whole slices.
+    if (!this->Selection.CanTracePacket(rays) || (endsRays && !isOne))
+    {
+      this->TraceCellByCell(rays, hits);
+    }
+    else if (endsRays)
     {
       this->TraceFirstHits(rays, hits);
-      return;
     }
-    if (this->Selection.CanTracePacket(rays))
+    else
     {
       BoxHits<T, Layout> cells(this->Selection, rays, this->Masks, this->Bricks);
       RayFollower(*this->Selection.PacketKernels, this->Selection.GetTracedBlocks())
         .Follow(rays, cells);
       cells.AppendTo(hits);
-      return;
     }
-    this->TraceCellByCell(rays, hits);
   }
 
   bool HasBoxes() const override { return true; }
@@ -88,31 +89,20 @@ protected:
   }
 
 private:
-  using Value = typename Layout::Value;
-
   /// Traces each ray by itself, cell by cell. This is the reference.
   void TraceCellByCell(const RayPacket& rays, RayHits& hits)
   {
-    typename Layout::Reader reader(this->Bricks);
+    BoxCells<T, Layout> cells(this->Selection, this->Masks, this->Bricks);
     std::vector<FaceHit> faces;
     this->Selection.ForEachRay(rays, hits,
-      [this, &reader, &faces, &hits](const Ray& ray)
+      [this, &cells, &faces, &hits](const Ray& ray)
       {
         HitCollector collector = this->Selection.NewCollector(hits.Hits);
         TraverseCells(ray, this->Selection.Active,
           [&](const Index3& cell)
           {
-            Value corners[8];
-            reader.Load(cell, corners);
-            if (!this->HasFaces(corners))
-            {
-              return false;
-            }
-            CellCorners values;
-            std::copy(corners, corners + 8, values.begin());
             faces.clear();
-            FindFaceHits(
-              ray, cell, values, this->Selection.Lattice, this->Selection.Request.Surfaces, faces);
+            cells.FindFacesIfAny(ray, cell, faces);
             return std::any_of(faces.begin(), faces.end(),
               [&collector](const FaceHit& face) { return collector.Add(face.TheHit); });
           });
@@ -136,19 +126,6 @@ private:
       }
       hits.EndRay();
     }
-  }
-
-  /// Whether a face between the boxes of a cell's corners is a surface.
-  bool HasFaces(const Value corners[8]) const
-  {
-    ValueRange<Value> range;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      range.Include(corners[corner], corners[corner]);
-    }
-    const std::vector<Isosurface>& surfaces = this->Selection.Request.Surfaces;
-    return std::any_of(surfaces.begin(), surfaces.end(),
-      [&range](const Isosurface& surface) { return range.Straddles(surface.Isovalue); });
   }
 
   const Samples<T>& TheSamples;
