@@ -90,7 +90,8 @@ void AppendLight(const vtkirt::Light& light, std::vector<double>& numbers)
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceAccumulation::Key::Key(
   const std::vector<vtkObject*>& objects, double distance, const vtkirt::Scene& scene)
-  : Numbers({ distance, scene.TwoSidedLighting ? 1.0 : 0.0 })
+  : Numbers(
+      { distance, scene.TwoSidedLighting ? 1.0 : 0.0, static_cast<double>(scene.OcclusionRays) })
 {
   for (vtkObject* object : objects)
   {

@@ -519,9 +519,12 @@ try
 {
   vtkRenderer* renderer = holder.GetRenderer();
   vtkVolume* volume = holder.GetVolume();
-  this->TheClient.SetImageSampleDistance(this->Frame.ChooseSampleDistance(
-    this->TheClient.GetSettings(), request.Inputs.IsCoarse(), renderer, volume));
   vtkIsosurfaceRayTraceSettings settings = this->TheClient.GetSettings();
+  settings.NumberOfAmbientOcclusionRays =
+    this->Frame.ChooseOcclusionRays(settings, request.Inputs.IsCoarse(), renderer, volume);
+  settings.ImageSampleDistance =
+    this->Frame.ChooseSampleDistance(settings, request.Inputs.IsCoarse(), renderer, volume);
+  this->TheClient.SetImageSampleDistance(settings.ImageSampleDistance);
   // Others are no part of a mean.
   settings.ProgressiveAccumulation = settings.ProgressiveAccumulation && request.Inputs.IsExact();
   const bool isComplete = this->Frame.Render(settings, request, { renderer, volume, this->Mapper },

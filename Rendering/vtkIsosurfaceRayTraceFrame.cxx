@@ -64,6 +64,12 @@ bool IsInteractive(vtkRenderer* renderer, vtkVolume* volume)
     !renderer->GetSelector() && volume->GetAllocatedRenderTime() > 0.0;
 }
 
+/// While interacting: with fewer rays the light of neighbouring pixels has little in common.
+int GetFewestOcclusionRays(const vtkIsosurfaceRayTraceSettings& settings)
+{
+  return std::min(settings.NumberOfAmbientOcclusionRays, 4);
+}
+
 /// What is the matter with a window that is not drawn with OpenGL, and the remedy.
 std::string WhyNotOpenGL(vtkRenderWindow* window)
 {
@@ -163,9 +169,36 @@ vtkIsosurfaceRayTraceLevel vtkIsosurfaceRayTraceFrame::ChooseLevel(
       ? std::max(settings.MaximumImageSampleDistance, settings.MinimumImageSampleDistance)
       : settings.ImageSampleDistance);
   // Where samples are in a file, nothing else tells how long an exact frame will take.
-  const double seconds = this->SecondsOfFullFrame / (distance * distance);
+  const double seconds = this->Cost.Get(GetFewestOcclusionRays(settings)) / (distance * distance);
   const bool isInTime = seconds > 0.0 && seconds <= volume->GetAllocatedRenderTime();
   return isInTime ? Level::CoarseUntilRead : Level::Coarse;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfaceRayTraceFrame::ChooseOcclusionRays(const vtkIsosurfaceRayTraceSettings& settings,
+  bool isCoarse, vtkRenderer* renderer, vtkVolume* volume)
+{
+  const int most = settings.NumberOfAmbientOcclusionRays;
+  const int fewest = GetFewestOcclusionRays(settings);
+  if (!settings.AutoAdjustSampleDistances || !IsInteractive(renderer, volume))
+  {
+    this->OcclusionRays = most;
+  }
+  else if (IsSecondEye(renderer))
+  {
+    this->OcclusionRays = std::clamp(this->OcclusionRays, fewest, most);
+  }
+  else
+  {
+    const auto smallest = static_cast<double>(settings.MinimumImageSampleDistance);
+    const double allocated = volume->GetAllocatedRenderTime() * smallest * smallest;
+    const FrameCost& cost = isCoarse ? this->CostOfCoarseLevel : this->Cost;
+    const double ofRay = cost.Get(1) - cost.Get(0);
+    const double enough = ofRay > 0.0 ? (allocated - cost.Get(0)) / ofRay : most;
+    this->OcclusionRays = static_cast<int>(
+      std::clamp(std::floor(enough), static_cast<double>(fewest), static_cast<double>(most)));
+  }
+  return this->OcclusionRays;
 }
 
 //------------------------------------------------------------------------------
@@ -181,8 +214,8 @@ float vtkIsosurfaceRayTraceFrame::ChooseSampleDistance(
     return settings.ImageSampleDistance;
   }
   // The number of rays falls with the square of their distance.
-  const double seconds = isCoarse ? this->SecondsOfCoarseLevel : this->SecondsOfFullFrame;
-  const double enough = std::sqrt(seconds / allocated);
+  const FrameCost& cost = isCoarse ? this->CostOfCoarseLevel : this->Cost;
+  const double enough = std::sqrt(cost.Get(settings.NumberOfAmbientOcclusionRays) / allocated);
   const double distance = enough > 1.0 ? std::ceil(enough) : 1.0 / std::floor(1.0 / enough);
   return std::clamp(static_cast<float>(distance), settings.MinimumImageSampleDistance,
     std::max(settings.MinimumImageSampleDistance, settings.MaximumImageSampleDistance));
@@ -272,9 +305,9 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   {
     // Macrocells and bricks are built; the remaining time grows with the number of rays.
     const auto distance = static_cast<double>(settings.ImageSampleDistance);
-    double& seconds =
-      request.Inputs.IsCoarse() ? this->SecondsOfCoarseLevel : this->SecondsOfFullFrame;
-    seconds = (times.Trace + times.Shade) * distance * distance + this->DisplayTime;
+    FrameCost& cost = request.Inputs.IsCoarse() ? this->CostOfCoarseLevel : this->Cost;
+    cost = { (times.Trace + times.Shade) * distance * distance + this->DisplayTime,
+      times.Shade * distance * distance, settings.NumberOfAmbientOcclusionRays };
   }
   return true;
 }

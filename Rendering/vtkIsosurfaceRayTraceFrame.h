@@ -55,8 +55,15 @@ public:
   vtkIsosurfaceRayTraceLevel ChooseLevel(
     const vtkIsosurfaceRayTraceSettings& settings, vtkRenderer* renderer, vtkVolume* volume) const;
 
-  /// The distance between rays, in pixels. With AutoAdjustSampleDistances it is chosen by the time
-  /// of the last frame like this one, so that the frame takes the time allocated to it.
+  /// The number of ambient occlusion rays. With AutoAdjustSampleDistances, in a window for
+  /// interaction, it is chosen by the time of the last frame like this one, so that the frame takes
+  /// the time allocated to it if the distance between other rays is the smallest; but not fewer
+  /// than four, if there are.
+  int ChooseOcclusionRays(const vtkIsosurfaceRayTraceSettings& settings, bool isCoarse,
+    vtkRenderer* renderer, vtkVolume* volume);
+
+  /// The distance between rays, in pixels. With AutoAdjustSampleDistances it is chosen in the same
+  /// way.
   float ChooseSampleDistance(const vtkIsosurfaceRayTraceSettings& settings, bool isCoarse,
     vtkRenderer* renderer, vtkVolume* volume) const;
 
@@ -74,6 +81,23 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  /// What a frame would have taken with a ray for every pixel, in seconds.
+  struct FrameCost
+  {
+    double Seconds = 0.0;
+    /// The part that grows with the number of ambient occlusion rays, and that number.
+    double Shading = 0.0;
+    int OcclusionRays = 0;
+
+    /// The same with another number of these rays.
+    double Get(int rays) const
+    {
+      const double part =
+        this->OcclusionRays > 0 ? static_cast<double>(rays) / this->OcclusionRays : 1.0;
+      return this->Seconds + (part - 1.0) * this->Shading;
+    }
+  };
+
   /// How a frame is drawn.
   struct Drawing
   {
@@ -127,10 +151,11 @@ private:
   std::vector<AccumulationOfEye> Accumulations;
   int NumberOfAccumulatedFrames = 0;
   double DisplayTime = 0.0;
-  /// What the last frame would have taken with a ray for every pixel; and the last one of a coarse
-  /// level.
-  double SecondsOfFullFrame = 0.0;
-  double SecondsOfCoarseLevel = 0.0;
+  /// Of the last frame, and of the last one of a coarse level.
+  FrameCost Cost;
+  FrameCost CostOfCoarseLevel;
+  /// Those that were chosen last.
+  int OcclusionRays = 0;
   vtkIsosurfaceRayTraceImageDisplay Display;
 };
 

@@ -477,7 +477,8 @@ public:
    * Set/Get the number of ambient occlusion rays from each hit, in directions distributed by the
    * cosine to the normal. The directions differ from hit to hit, and are the same in every picture:
    * few rays give noise. (The further frames of ProgressiveAccumulation have other directions.)
-   * Range: 1 to 4096. Default: 32.
+   * With AutoAdjustSampleDistances there may be fewer while interacting. Range: 1 to 4096.
+   * Default: 32.
    */
   vtkSetClampMacro(NumberOfAmbientOcclusionRays, int, 1, 4096);
   vtkGetMacro(NumberOfAmbientOcclusionRays, int);
@@ -636,7 +637,8 @@ public:
    * Set/Get whether ImageSampleDistance is chosen for every frame, between its minimum and maximum,
    * so that the frame is drawn in the time allocated to it: coarser pictures while interacting
    * (vtkRenderWindow::SetDesiredUpdateRate, as interactor styles call it), a ray for every pixel
-   * when the scene is still. In stereo it is chosen once for both eyes. Default: on.
+   * when the scene is still. Before that, frames of interaction have fewer ambient occlusion rays,
+   * down to 4 from each hit. In stereo both are chosen once for both eyes. Default: on.
    */
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
