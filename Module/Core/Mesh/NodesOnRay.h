@@ -12,8 +12,8 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The leaves of the tree that a single ray may meet, depth first: those of nearer children of a
-/// node come first. (Those of a beam come front to back, which takes more for each.)
+/// The leaves of the tree that a single ray may meet, depth first, and about front to back. (Those
+/// of a beam come front to back, which takes more for each.)
 class NodesOnRay
 {
 public:
