@@ -68,21 +68,14 @@ bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& b
       numbers[count++] = line;
       direction = direction + Normalized(lines.GetDirection(line));
     });
-  const std::size_t along = FindLongestAxis(direction);
-  const std::size_t across[2] = { (along + 1) % 3, (along + 2) % 3 };
-  this->Numbers.Along = static_cast<int>(along);
-  this->Numbers.Across[0] = static_cast<int>(across[0]);
-  this->Numbers.Across[1] = static_cast<int>(across[1]);
-  this->Numbers.Sign = direction[along] > 0.0 ? 1.0 : -1.0;
-  this->Numbers.Plane = this->Numbers.Sign > 0.0 ? box.Upper[along] : box.Lower[along];
-  this->Numbers.Length = box.Upper[along] - box.Lower[along];
+  this->SetAxes(direction, box);
   LinePoint points[RayPacket::Capacity];
   double lower[2] = { HUGE_VAL, HUGE_VAL };
   double upper[2] = { -HUGE_VAL, -HUGE_VAL };
   for (int i = 0; i < count; ++i)
   {
     points[i] = MeetPlane(lines, numbers[i], this->Numbers);
-    const double forward = lines.Direction[along][numbers[i]] * this->Numbers.Sign;
+    const double forward = lines.Direction[this->Numbers.Along][numbers[i]] * this->Numbers.Sign;
     if (!(forward > 0.0) ||
       !(std::abs(points[i].Slope[0]) + std::abs(points[i].Slope[1]) < LargestSlope))
     {
@@ -116,25 +109,74 @@ bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& b
     this->Numbers.Slope[k] =
       points[0].Slope[k] + this->Numbers.Spread * (this->Numbers.Center[k] - points[0].Place[k]);
   }
-  this->Reach = 0.0;
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    this->Reach = std::max({ this->Reach, std::abs(box.Lower[across[k]] - this->Numbers.Center[k]),
-      std::abs(box.Upper[across[k]] - this->Numbers.Center[k]) });
-  }
+  this->SetReach(box);
   const double size = 0.5 * std::max(upper[0] - lower[0], upper[1] - lower[1]);
-  // Rays need not be between the lines to the last bit. One line alone has no size: any unit will
-  // do that keeps rounding below it.
-  const double least = count == 1 ? 0x1p-20 : 0x1p-40;
-  this->Numbers.InverseSize =
-    1.0 / (size * (1.0 + 0x1p-12) + least * (this->Reach + this->Numbers.Length));
-  // Slopes are rounded.
+  // Rays need not be between the lines to the last bit.
   double error =
-    std::max(0x1p-30, 0x1p-47 * this->Numbers.Length * this->Numbers.InverseSize / SmallestW);
+    this->SetSize(size * (1.0 + 0x1p-12) + 0x1p-40 * (this->Reach + this->Numbers.Length));
   for (int i = 0; i < count; ++i)
   {
     error = std::max(error, 16.0 * GetLabelError(this->Numbers, points[i].Place, points[i].Slope));
   }
+  return this->SetMargin(error, box);
+}
+
+//------------------------------------------------------------------------------
+bool BeamFrame::FindAlone(const RayPacket& lines, int line, const Bounds& box)
+{
+  const Vector3 direction = lines.GetDirection(line);
+  this->SetAxes(direction, box);
+  if (!(std::abs(direction[static_cast<std::size_t>(this->Numbers.Along)]) > 0.0))
+  {
+    return false;
+  }
+  const LinePoint point = MeetPlane(lines, line, this->Numbers);
+  std::copy_n(point.Place, 2, this->Numbers.Center);
+  std::copy_n(point.Slope, 2, this->Numbers.Slope);
+  this->Numbers.Spread = 0.0;
+  this->SetReach(box);
+  // A line has no size: any unit will do that keeps rounding below it.
+  return this->SetMargin(this->SetSize(0x1p-20 * (this->Reach + this->Numbers.Length)), box);
+}
+
+//------------------------------------------------------------------------------
+/// Those along which a direction goes through the box, and across.
+void BeamFrame::SetAxes(const Vector3& direction, const Bounds& box)
+{
+  const std::size_t along = FindLongestAxis(direction);
+  this->Numbers.Along = static_cast<int>(along);
+  this->Numbers.Across[0] = static_cast<int>((along + 1) % 3);
+  this->Numbers.Across[1] = static_cast<int>((along + 2) % 3);
+  this->Numbers.Sign = direction[along] > 0.0 ? 1.0 : -1.0;
+  this->Numbers.Plane = this->Numbers.Sign > 0.0 ? box.Upper[along] : box.Lower[along];
+  this->Numbers.Length = box.Upper[along] - box.Lower[along];
+}
+
+//------------------------------------------------------------------------------
+void BeamFrame::SetReach(const Bounds& box)
+{
+  this->Reach = 0.0;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const auto axis = static_cast<std::size_t>(this->Numbers.Across[k]);
+    this->Reach = std::max({ this->Reach, std::abs(box.Lower[axis] - this->Numbers.Center[k]),
+      std::abs(box.Upper[axis] - this->Numbers.Center[k]) });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Sets the size that a label of 1 has. Returns by how much labels may be wrong, since slopes are
+/// rounded.
+double BeamFrame::SetSize(double size)
+{
+  this->Numbers.InverseSize = 1.0 / size;
+  return std::max(0x1p-30, 0x1p-47 * this->Numbers.Length * this->Numbers.InverseSize / SmallestW);
+}
+
+//------------------------------------------------------------------------------
+/// Sets by how much labels may be wrong. Returns whether all is told in single precision.
+bool BeamFrame::SetMargin(double error, const Bounds& box)
+{
   this->Numbers.Margin = static_cast<float>(error);
   return IsSinglePrecision(box) && error < 1.0 &&
     std::abs(this->Numbers.Spread) * this->Numbers.Length < 256.0 &&

@@ -26,6 +26,10 @@ public:
   /// the lines do neither, or do not go one way along an axis.
   bool Find(const RayPacket& lines, const RaySet& some, const Bounds& box);
 
+  /// Finds that of one line, which has the label 0. Returns false if it goes nowhere, or rounding
+  /// does not allow it.
+  bool FindAlone(const RayPacket& lines, int line, const Bounds& box);
+
   /// How the boxes of a tree are projected, in single precision.
   BeamProjection GetProjection() const;
 
@@ -47,6 +51,11 @@ public:
   void FindBounds(const RayPacket& lines, float (&lower)[2], float (&upper)[2]) const;
 
 private:
+  void SetAxes(const Vector3& direction, const Bounds& box);
+  void SetReach(const Bounds& box);
+  double SetSize(double size);
+  bool SetMargin(double error, const Bounds& box);
+
   BeamNumbers Numbers;
   /// The largest distance of the box from the centre, across.
   double Reach;

@@ -59,7 +59,7 @@ bool LoneTracer::BeginWay(const MeshSelection& selection, int ray)
   RaySet alone = {};
   Add(ray, alone);
   BeamFrame frame;
-  if (!frame.Find(*this->Packet, alone, selection.Tree->GetBounds()))
+  if (!frame.FindAlone(*this->Packet, ray, selection.Tree->GetBounds()))
   {
     return false;
   }
