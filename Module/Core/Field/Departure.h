@@ -7,6 +7,8 @@
 #include "Rays/Hit.h"
 #include "Rays/RayPacket.h"
 
+#include <cstdint>
+
 namespace vtkIsosurfaceRayTracing
 {
 
@@ -19,6 +21,8 @@ struct Departure
   bool Entering = false;
   /// In a set of fields, the member that has the surface.
   int Member = 0;
+  /// The cell that it starts in; negative if it starts on no surface.
+  std::int64_t Cell = -1;
 
   /// Whether a crossing of a surface may be the one that the ray starts on.
   bool Is(int surface, bool entering) const

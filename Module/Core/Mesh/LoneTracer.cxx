@@ -13,6 +13,7 @@ RaySet LoneTracer::Trace(const MeshSelection& selection, const RayPacket& packet
   const RaySet& rays, const Departure* departures, HitsOfRays& hits)
 {
   this->Packet = &packet;
+  this->Departures = departures;
   this->Ways.resize(RayPacket::Capacity);
   this->Solver.Begin(selection, packet, departures, this->Frames);
   int going[RayPacket::Capacity];
@@ -117,12 +118,16 @@ void LoneTracer::AddPieces(
              set, this->Frames[ray], way.Nodes.GetRay(), way.End);
            pieces != 0; pieces &= pieces - 1)
       {
+        const std::uint32_t cell =
+          selection.Tree->GetCellOfLeaf(leaf, set.Cells[LowestBit(pieces)]);
+        if (set.AreInTetrahedra && this->StartsAt(ray, cell, static_cast<int>(number)))
+        {
+          continue; // A ray crosses a plane once.
+        }
         const auto pair = static_cast<int>(this->Pairs.size());
         this->Pairs.push_back(ray);
-        this->Solver.Add(selection,
-          { selection.Tree->GetCellOfLeaf(leaf, set.Cells[LowestBit(pieces)]), set.AreInTetrahedra,
-            static_cast<int>(number) },
-          pair, pair + 1);
+        this->Solver.Add(
+          selection, { cell, set.AreInTetrahedra, static_cast<int>(number) }, pair, pair + 1);
         if (this->Solver.IsFull())
         {
           this->Solve(selection, hits);

@@ -12,6 +12,7 @@
 #include "Rays/RayPacket.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -39,11 +40,18 @@ private:
 
   bool BeginWay(const MeshSelection& selection, int ray);
   float FindEnd(int ray) const;
+  /// Whether a secondary ray starts on a surface in a cell.
+  bool StartsAt(int ray, std::uint32_t cell, int surface) const
+  {
+    return this->Departures && this->Departures[ray].Cell == cell &&
+      this->Departures[ray].Surface == surface;
+  }
   bool Advance(const MeshSelection& selection, int ray, HitsOfRays& hits);
   void AddPieces(const MeshSelection& selection, int ray, std::size_t leaf, HitsOfRays& hits);
   void Solve(const MeshSelection& selection, HitsOfRays& hits);
 
   const RayPacket* Packet = nullptr;
+  const Departure* Departures = nullptr;
   /// Of each ray, as a beam of its own.
   BeamNumbers Frames[RayPacket::Capacity];
   /// Some 2 kB for each ray.

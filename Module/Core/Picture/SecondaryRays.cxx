@@ -137,7 +137,8 @@ void SecondaryRays::FindStarts(const Hit* hits, int count, Start* starts) const
   for (int i = 0; i < count; ++i)
   {
     starts[i] = { { points[0][i], points[1][i], points[2][i] },
-      { gradients[0][i], gradients[1][i], gradients[2][i] }, hits[i].Surface, hits[i].Member };
+      { gradients[0][i], gradients[1][i], gradients[2][i] }, hits[i].Surface, hits[i].Member,
+      hits[i].Cell };
   }
 }
 
@@ -221,7 +222,8 @@ void SecondaryRays::FindTransmittance(
   for (int i = 0; i < count; ++i)
   {
     const Start& start = *rays[i].From;
-    departures[i] = { start.Surface, Dot(start.Gradient, rays[i].Direction) > 0.0, start.Member };
+    departures[i] = { start.Surface, Dot(start.Gradient, rays[i].Direction) > 0.0, start.Member,
+      start.Cell };
     packet.Append(start.Point, rays[i].Direction, 0.0, rays[i].End);
   }
   this->Field.ClipRays(packet);

@@ -35,6 +35,7 @@ private:
     Vector3 Gradient;
     int Surface;
     int Member;
+    std::int64_t Cell;
   };
 
   struct OutgoingRay
