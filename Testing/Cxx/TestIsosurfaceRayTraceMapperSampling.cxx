@@ -309,7 +309,7 @@ void CheckOcclusionInHurry(Checks& check)
 {
   constexpr double hurry = 100000.0;
   constexpr double rest = 0.0001;
-  Scene scene(NewCube(65, AnalyticFields::Gyroid{ 1.0 }), 300, 300);
+  Scene scene(NewCube(65, AnalyticFields::Gyroid{ 1.0 }), 100, 100);
   scene.Property()->SetAmbient(0.5);
   scene.Mapper->AmbientOcclusionOn();
   const auto render = [&scene](int rays, double rate)
@@ -319,26 +319,27 @@ void CheckOcclusionInHurry(Checks& check)
     return RenderAndCapture(scene.Window);
   };
   const Picture few = render(4, rest);
-  const Picture many = render(64, rest);
+  const Picture many = render(16, rest);
   check.That(GetDifference(few, many, 0) > 0.0, "the number of occlusion rays is seen");
+  // (A window with less than one frame a second is at rest.)
   const double others = scene.Mapper->GetTraceTime() + scene.Mapper->GetDisplayTime();
-  const Picture some = render(64, 1.0 / (others + 0.5 * scene.Mapper->GetShadeTime()));
+  const Picture some = render(16, 1.0 / (others + 0.5 * scene.Mapper->GetShadeTime()));
   check.Equal(scene.Mapper->GetImageSampleDistance(), 1.0F, "the distance with half of the rays");
   check.That(GetDifference(some, many, 0) > 0.0 && GetDifference(some, few, 0) > 0.0,
     "with half of the time there are neither all rays nor the fewest");
   scene.Mapper->SetMaximumImageSampleDistance(1.0F);
-  check.Equal(GetDifference(render(64, hurry), few, 0), 0.0, "the difference of the fewest rays");
-  check.Equal(scene.Mapper->GetNumberOfAmbientOcclusionRays(), 64, "the number that was set");
+  check.Equal(GetDifference(render(16, hurry), few, 0), 0.0, "the difference of the fewest rays");
+  check.Equal(scene.Mapper->GetNumberOfAmbientOcclusionRays(), 16, "the number that was set");
   check.Equal(GetDifference(render(2, hurry), render(2, rest), 0), 0.0,
     "the difference of two rays, which are not fewer while interacting");
   // Frames with fewer rays are no part of a mean.
   scene.Mapper->ProgressiveAccumulationOn();
-  render(64, rest);
-  render(64, hurry);
-  check.Equal(GetDifference(render(64, rest), many, 0), 0.0, "the difference of a new mean");
+  render(16, rest);
+  render(16, hurry);
+  check.Equal(GetDifference(render(16, rest), many, 0), 0.0, "the difference of a new mean");
   check.Equal(scene.Mapper->GetNumberOfAccumulatedFrames(), 1, "the number of frames in it");
   scene.Mapper->SetMaximumImageSampleDistance(10.0F);
-  render(64, hurry);
+  render(16, hurry);
   check.Equal(scene.Mapper->GetImageSampleDistance(), 10.0F, "the distance in a hurry");
 }
 
