@@ -4,6 +4,7 @@
 set(core_sources
   Amr/AmrHierarchy.cxx
   Amr/AmrNodes.cxx
+  Amr/AmrPatches.cxx
   Field/BoundsTree.cxx
   Field/FieldSet.cxx
   Field/TracedField.cxx

@@ -14,90 +14,6 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
-/// The largest whole number that is not above a quotient.
-int FloorDivide(int dividend, int divisor)
-{
-  return dividend / divisor - (dividend % divisor < 0 ? 1 : 0);
-}
-
-/// Whether a cell is in the box of a patch or of a region.
-template <typename Cells>
-bool IsIn(const Cells& cells, const Index3& cell)
-{
-  bool isIn = true;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const int place = cell[axis] - cells.First[axis];
-    isIn = isIn && place >= 0 && place < cells.Cells[axis];
-  }
-  return isIn;
-}
-
-std::size_t GetNumber(const AmrPatch& patch, const Index3& cell)
-{
-  return Offset(
-    { cell[0] - patch.First[0], cell[1] - patch.First[1], cell[2] - patch.First[2] }, patch.Cells);
-}
-
-bool Owns(const AmrPatch& patch, const Index3& cell)
-{
-  return IsIn(patch, cell) && (!patch.GhostCells || patch.GhostCells[GetNumber(patch, cell)] == 0);
-}
-
-double GetSample(const AmrPatch& patch, const Index3& index)
-{
-  const Index3 place = { index[0] - patch.First[0], index[1] - patch.First[1],
-    index[2] - patch.First[2] };
-  return DispatchScalarType(patch.Samples,
-    [&place](const auto& samples) { return static_cast<double>(*samples.At(place)); });
-}
-
-/// Calls visit(index) for the indices of a box, which may be empty.
-template <typename Visit>
-void ForEachIndex(const Index3& first, const Index3& count, const Visit& visit)
-{
-  Index3 i;
-  for (i[2] = first[2]; i[2] < first[2] + count[2]; ++i[2])
-  {
-    for (i[1] = first[1]; i[1] < first[1] + count[1]; ++i[1])
-    {
-      for (i[0] = first[0]; i[0] < first[0] + count[0]; ++i[0])
-      {
-        visit(i);
-      }
-    }
-  }
-}
-
-/// The cell behind the last one, along each axis.
-Index3 GetEnd(const Index3& first, const Index3& count)
-{
-  return { first[0] + count[0], first[1] + count[1], first[2] + count[2] };
-}
-
-/// The box of some cells of a level.
-Bounds GetBox(const Index3& first, const Index3& count)
-{
-  Bounds box;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    box.Lower[axis] = first[axis];
-    box.Upper[axis] = first[axis] + count[axis];
-  }
-  return box;
-}
-
-/// Whether boxes have cells in common.
-bool Overlap(const Bounds& a, const Bounds& b)
-{
-  bool overlap = true;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    overlap = overlap && a.Lower[axis] < b.Upper[axis] && b.Lower[axis] < a.Upper[axis];
-  }
-  return overlap;
-}
-
 /// Includes the samples of a patch that are of the cells of a box.
 void Include(
   const AmrPatch& patch, bool ofCells, const Index3& first, const Index3& end, AmrRange& range)
@@ -195,14 +111,13 @@ bool IsInner(const Index3& node, const AmrNodes& nodes)
 }
 
 /// The places along an axis where the patches of a region can be parted: none reaches across.
-std::vector<int> FindGaps(
-  const std::vector<AmrPatch>& patches, const AmrRegion& region, std::size_t axis)
+std::vector<int> FindGaps(const AmrPatches& patches, const AmrRegion& region, std::size_t axis)
 {
   std::vector<std::pair<int, int>> ranges;
   for (const std::size_t number : region.Patches)
   {
-    const int first = patches[number].First[axis];
-    ranges.emplace_back(first, first + patches[number].Cells[axis]);
+    const int first = patches.Get(number).First[axis];
+    ranges.emplace_back(first, first + patches.Get(number).Cells[axis]);
   }
   std::sort(ranges.begin(), ranges.end());
   std::vector<int> gaps;
@@ -226,7 +141,7 @@ struct Cut
 };
 
 /// The cut of a region that is the nearest to the middle, in parts of its size.
-std::optional<Cut> FindCut(const std::vector<AmrPatch>& patches, const AmrRegion& region)
+std::optional<Cut> FindCut(const AmrPatches& patches, const AmrRegion& region)
 {
   std::optional<Cut> cut;
   double nearest = 1.0;
@@ -252,39 +167,39 @@ std::optional<Cut> FindCut(const std::vector<AmrPatch>& patches, const AmrRegion
 class AmrHierarchy::NodeReader
 {
 public:
-  explicit NodeReader(const AmrHierarchy& hierarchy)
-    : Hierarchy(hierarchy)
-    , Lately(hierarchy.Levels.size())
-    , Coarser(hierarchy.Levels.size())
-    , Means(hierarchy.Levels.size())
+  explicit NodeReader(const AmrPatches& patches)
+    : Patches(patches)
+    , Lately(static_cast<std::size_t>(patches.GetNumberOfLevels()))
+    , Coarser(static_cast<std::size_t>(patches.GetNumberOfLevels()))
+    , Means(static_cast<std::size_t>(patches.GetNumberOfLevels()))
   {
   }
 
   /// None where no cell touches the node.
   std::optional<double> Read(int level, const Index3& node)
   {
-    Likely& likely = this->Lately[static_cast<std::size_t>(level)];
+    AmrPatches::Likely& likely = this->Lately[static_cast<std::size_t>(level)];
     const AmrPatch* owner = nullptr;
     bool isCoarser = false;
     double sum = 0.0;
     int count = 0;
-    ForEachTouching(node, this->Hierarchy.GetNodesOfCell(),
+    ForEachTouching(node, this->Patches.GetNodesOfCell(),
       [&](const Index3& cell)
       {
-        if (const AmrPatch* patch = this->Hierarchy.FindOwner(level, cell, likely))
+        if (const AmrPatch* patch = this->Patches.FindOwner(level, cell, likely))
         {
           owner = owner ? std::min(owner, patch) : patch;
-          sum += this->Hierarchy.OfCells ? GetSample(*patch, cell) : 0.0;
+          sum += this->Patches.AreOfCells() ? GetSample(*patch, cell) : 0.0;
           ++count;
         }
-        else if (this->Hierarchy.IsCoveredByFiner(level, cell))
+        else if (this->Patches.IsCoveredByFiner(level, cell))
         {
-          sum += this->Hierarchy.OfCells ? this->ReadMean(level, cell) : 0.0;
-          count += this->Hierarchy.OfCells ? 1 : 0;
+          sum += this->Patches.AreOfCells() ? this->ReadMean(level, cell) : 0.0;
+          count += this->Patches.AreOfCells() ? 1 : 0;
         }
         else
         {
-          isCoarser = isCoarser || this->Hierarchy.IsCoveredByCoarser(level, cell, 0);
+          isCoarser = isCoarser || this->Patches.IsCoveredByCoarser(level, cell, 0);
         }
       });
     if (isCoarser)
@@ -295,14 +210,14 @@ public:
     {
       return std::nullopt;
     }
-    return this->Hierarchy.OfCells ? sum / count : GetSample(*owner, node);
+    return this->Patches.AreOfCells() ? sum / count : GetSample(*owner, node);
   }
 
 private:
   /// At a node of a level, between the nodes of the one before.
   std::optional<double> Interpolate(int level, const Index3& node)
   {
-    const Index3& ratio = this->Hierarchy.Levels[static_cast<std::size_t>(level)].Ratio;
+    const Index3& ratio = this->Patches.GetLevel(level).Ratio;
     Index3 first;
     Vector3 weights;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -343,7 +258,7 @@ private:
   double ReadMean(int level, const Index3& cell)
   {
     return Remember(this->Means[static_cast<std::size_t>(level)], cell,
-      [&] { return this->Hierarchy.FindMean(level, cell); });
+      [&] { return this->Patches.FindMean(level, cell); });
   }
 
   template <typename Value, typename Find>
@@ -353,282 +268,45 @@ private:
     return found != known.end() ? found->second : known.emplace(place, find()).first->second;
   }
 
-  const AmrHierarchy& Hierarchy;
+  const AmrPatches& Patches;
   /// Of each level.
-  std::vector<Likely> Lately;
+  std::vector<AmrPatches::Likely> Lately;
   std::vector<std::map<Index3, std::optional<double>>> Coarser;
   std::vector<std::map<Index3, double>> Means;
 };
 
 //------------------------------------------------------------------------------
 AmrHierarchy::AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> patches, bool ofCells)
-  : OfCells(ofCells)
-  , Patches(std::move(patches))
+  : Patches(std::move(ratios), std::move(patches), ofCells)
 {
-  for (const Index3& ratio : ratios)
-  {
-    this->Levels.push_back({ ratio, {}, nullptr });
-  }
-  for (std::size_t i = 0; i < this->Patches.size(); ++i)
-  {
-    this->Levels[static_cast<std::size_t>(this->Patches[i].Level)].Patches.push_back(i);
-  }
-  for (Level& level : this->Levels)
-  {
-    std::vector<Bounds> boxes;
-    for (const std::size_t number : level.Patches)
-    {
-      const AmrPatch& patch = this->Patches[number];
-      boxes.push_back(GetBox(patch.First, patch.Cells));
-    }
-    level.Tree = std::make_unique<BoundsTree>(boxes);
-    level.HasOverlaps = this->HasOverlaps(level);
-  }
   this->FindLentRanges();
-}
-
-//------------------------------------------------------------------------------
-template <typename Visit>
-void AmrHierarchy::Level::ForEachIn(const Bounds& box, const Visit& visit) const
-{
-  this->Tree->Find([&box](const Bounds& other) { return Overlap(other, box); },
-    [&](std::size_t place) { visit(this->Patches[place]); });
-}
-
-//------------------------------------------------------------------------------
-bool AmrHierarchy::HasOverlaps(const Level& level) const
-{
-  return std::any_of(level.Patches.begin(), level.Patches.end(),
-    [&](std::size_t number)
-    {
-      const AmrPatch& patch = this->Patches[number];
-      const Bounds own = GetBox(patch.First, patch.Cells);
-      int count = 0;
-      level.ForEachIn(own, [&count](std::size_t) { ++count; });
-      return count > 1;
-    });
 }
 
 //------------------------------------------------------------------------------
 void AmrHierarchy::FindLentRanges()
 {
-  for (std::size_t i = 0; this->OfCells && i < this->Patches.size(); ++i)
+  for (std::size_t i = 0; this->Patches.AreOfCells() && i < this->Patches.GetCount(); ++i)
   {
-    const AmrPatch& patch = this->Patches[i];
-    if (!this->IsInCoarser(patch))
+    const AmrPatch& patch = this->Patches.Get(i);
+    if (!this->Patches.IsInCoarser(patch))
     {
-      this->LentRanges.resize(this->Patches.size());
+      this->LentRanges.resize(this->Patches.GetCount());
       Include(patch, true, patch.First, GetEnd(patch.First, patch.Cells), this->LentRanges[i]);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/// Whether all coarser levels have the cells that a patch lies in. It is false, too, where that
-/// is not seen from boxes alone.
-bool AmrHierarchy::IsInCoarser(const AmrPatch& patch) const
-{
-  Index3 first = patch.First;
-  Index3 end = GetEnd(first, patch.Cells);
-  for (int coarser = patch.Level - 1; coarser >= 0; --coarser)
-  {
-    const Index3& ratio = this->Levels[static_cast<std::size_t>(coarser) + 1].Ratio;
-    Index3 count;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      first[axis] = FloorDivide(first[axis], ratio[axis]);
-      end[axis] = -FloorDivide(-end[axis], ratio[axis]);
-      count[axis] = end[axis] - first[axis];
-    }
-    if (!this->Covers(this->Levels[static_cast<std::size_t>(coarser)], first, count))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-/// Whether patches of a level without overlaps and ghosts fill a box.
-bool AmrHierarchy::Covers(const Level& level, const Index3& first, const Index3& count) const
-{
-  const Bounds box = GetBox(first, count);
-  double covered = 0.0;
-  bool isPlain = !level.HasOverlaps;
-  level.ForEachIn(box,
-    [&](std::size_t number)
-    {
-      const AmrPatch& patch = this->Patches[number];
-      const Bounds other = GetBox(patch.First, patch.Cells);
-      isPlain = isPlain && !patch.GhostCells;
-      double common = 1.0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        common *= std::min(box.Upper[axis], other.Upper[axis]) -
-          std::max(box.Lower[axis], other.Lower[axis]);
-      }
-      covered += common;
-    });
-  return isPlain && covered == static_cast<double>(Count(count));
-}
-
-//------------------------------------------------------------------------------
-/// The mean of the finer cells in a cell that its level lacks, each by its part of the volume.
-double AmrHierarchy::FindMean(int level, const Index3& cell) const
-{
-  double sum = 0.0;
-  double covered = 0.0;
-  double volume = 1.0;
-  Index3 first = cell;
-  Index3 count = { 1, 1, 1 };
-  for (int finer = level + 1; finer < static_cast<int>(this->Levels.size()); ++finer)
-  {
-    const Level& all = this->Levels[static_cast<std::size_t>(finer)];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      first[axis] *= all.Ratio[axis];
-      count[axis] *= all.Ratio[axis];
-      volume /= all.Ratio[axis];
-    }
-    const Bounds box = GetBox(first, count);
-    all.ForEachIn(box,
-      [&](std::size_t number)
-      {
-        const AmrPatch& patch = this->Patches[number];
-        Index3 low;
-        Index3 common;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          low[axis] = std::max(first[axis], patch.First[axis]);
-          common[axis] =
-            std::min(first[axis] + count[axis], patch.First[axis] + patch.Cells[axis]) - low[axis];
-        }
-        ForEachIndex(low, common,
-          [&](const Index3& inside)
-          {
-            if (this->FindOwner(finer, inside) == &patch &&
-              !this->IsCoveredByCoarser(finer, inside, level + 1))
-            {
-              sum += volume * GetSample(patch, inside);
-              covered += volume;
-            }
-          });
-      });
-  }
-  return sum / covered;
-}
-
-//------------------------------------------------------------------------------
-/// The patch of a level that has a cell, which is likely to be one of some; null if there is none.
-const AmrPatch* AmrHierarchy::FindOwner(int level, const Index3& cell, Likely& likely) const
-{
-  if (!this->Levels[static_cast<std::size_t>(level)].HasOverlaps)
-  {
-    for (const AmrPatch* patch : likely.Patches)
-    {
-      if (patch && Owns(*patch, cell))
-      {
-        return patch;
-      }
-    }
-  }
-  const AmrPatch* owner = this->FindOwner(level, cell);
-  if (owner)
-  {
-    likely.Patches[likely.Next] = owner;
-    likely.Next = (likely.Next + 1) % likely.Patches.size();
-  }
-  return owner;
-}
-
-//------------------------------------------------------------------------------
-/// The first patch of a level that has a cell; null if there is none.
-const AmrPatch* AmrHierarchy::FindOwner(int level, const Index3& cell) const
-{
-  const Level& all = this->Levels[static_cast<std::size_t>(level)];
-  const Bounds ofCell = GetBox(cell, { 1, 1, 1 });
-  const AmrPatch* owner = nullptr;
-  all.ForEachIn(ofCell,
-    [&](std::size_t number)
-    {
-      const AmrPatch* patch = &this->Patches[number];
-      if (Owns(*patch, cell) && (!owner || patch < owner))
-      {
-        owner = patch;
-      }
-    });
-  return owner;
-}
-
-//------------------------------------------------------------------------------
-bool AmrHierarchy::IsCoveredByFiner(int level, const Index3& cell) const
-{
-  Index3 inside = cell;
-  for (std::size_t finer = static_cast<std::size_t>(level) + 1; finer < this->Levels.size();
-       ++finer)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      inside[axis] =
-        inside[axis] * this->Levels[finer].Ratio[axis] + this->Levels[finer].Ratio[axis] / 2;
-    }
-    if (this->FindOwner(static_cast<int>(finer), inside))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-bool AmrHierarchy::IsCoveredByCoarser(int level, const Index3& cell, int coarsest) const
-{
-  Index3 around = cell;
-  for (int coarser = level - 1; coarser >= coarsest; --coarser)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      around[axis] =
-        FloorDivide(around[axis], this->Levels[static_cast<std::size_t>(coarser) + 1].Ratio[axis]);
-    }
-    if (this->FindOwner(coarser, around))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-/// Whether the patch that has a cell, of its level or else of the next coarser one, shows it.
-bool AmrHierarchy::IsShown(int level, const Index3& cell) const
-{
-  Index3 around = cell;
-  for (int coarser = level; coarser >= 0; --coarser)
-  {
-    if (const AmrPatch* owner = this->FindOwner(coarser, around))
-    {
-      return !owner->HiddenCells || owner->HiddenCells[GetNumber(*owner, around)] == 0;
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      around[axis] =
-        FloorDivide(around[axis], this->Levels[static_cast<std::size_t>(coarser)].Ratio[axis]);
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
 std::vector<AmrRegion> AmrHierarchy::MakeRegions(int cells) const
 {
   std::vector<AmrRegion> regions;
-  for (const Level& level : this->Levels)
+  for (int i = 0; i < this->Patches.GetNumberOfLevels(); ++i)
   {
+    const AmrPatches::Level& level = this->Patches.GetLevel(i);
     std::map<Index3, std::vector<std::size_t>> cubes;
-    for (const std::size_t number : level.Patches)
+    for (const std::size_t number : level.Numbers)
     {
-      const AmrPatch& patch = this->Patches[number];
+      const AmrPatch& patch = this->Patches.Get(number);
       Index3 cube;
       bool isInCube = !level.HasOverlaps;
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -658,11 +336,11 @@ std::vector<AmrRegion> AmrHierarchy::MakeRegions(int cells) const
 /// With the box around some patches of a level.
 AmrRegion AmrHierarchy::MakeRegion(std::vector<std::size_t>&& patches) const
 {
-  const AmrPatch& one = this->Patches[patches.front()];
+  const AmrPatch& one = this->Patches.Get(patches.front());
   AmrRegion region = { one.Level, one.First, one.Cells, std::move(patches) };
   for (const std::size_t number : region.Patches)
   {
-    const AmrPatch& patch = this->Patches[number];
+    const AmrPatch& patch = this->Patches.Get(number);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const int first = std::min(region.First[axis], patch.First[axis]);
@@ -679,11 +357,11 @@ AmrRegion AmrHierarchy::MakeRegion(std::vector<std::size_t>&& patches) const
 /// Whether patches that do not overlap fill the box of a region, and are of one kind.
 bool AmrHierarchy::IsFilled(const AmrRegion& region) const
 {
-  const int kind = this->Patches[region.Patches.front()].Kind;
+  const int kind = this->Patches.Get(region.Patches.front()).Kind;
   std::size_t cells = 0;
   for (const std::size_t number : region.Patches)
   {
-    const AmrPatch& patch = this->Patches[number];
+    const AmrPatch& patch = this->Patches.Get(number);
     cells += patch.Kind == kind ? Count(patch.Cells) : 0;
   }
   return cells == Count(region.Cells);
@@ -708,7 +386,7 @@ void AmrHierarchy::Split(AmrRegion&& region, std::vector<AmrRegion>& regions) co
     return;
   }
   const auto middle = std::stable_partition(region.Patches.begin(), region.Patches.end(),
-    [&](std::size_t number) { return this->Patches[number].First[cut->Axis] < cut->Place; });
+    [&](std::size_t number) { return this->Patches.Get(number).First[cut->Axis] < cut->Place; });
   this->Split(this->MakeRegion({ region.Patches.begin(), middle }), regions);
   this->Split(this->MakeRegion({ middle, region.Patches.end() }), regions);
 }
@@ -719,7 +397,7 @@ std::size_t AmrHierarchy::FindPatch(const AmrRegion& region, const Index3& cell)
   std::size_t found = region.Patches.front();
   if (region.Patches.size() > 1)
   {
-    const Level& level = this->Levels[static_cast<std::size_t>(region.Level)];
+    const AmrPatches::Level& level = this->Patches.GetLevel(region.Level);
     const Bounds ofCell = GetBox(cell, { 1, 1, 1 });
     level.ForEachIn(ofCell, [&](std::size_t number) { found = number; });
   }
@@ -732,13 +410,13 @@ std::vector<double> AmrHierarchy::GatherSamples(const AmrRegion& region, Index3&
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    dimensions[axis] = region.Cells[axis] + (this->OfCells ? 0 : 1);
+    dimensions[axis] = region.Cells[axis] + (this->Patches.AreOfCells() ? 0 : 1);
   }
   std::vector<double> gathered(Count(dimensions));
   std::for_each(region.Patches.rbegin(), region.Patches.rend(),
     [&](std::size_t number)
     {
-      const AmrPatch& patch = this->Patches[number];
+      const AmrPatch& patch = this->Patches.Get(number);
       DispatchScalarType(patch.Samples,
         [&](const auto& samples)
         {
@@ -762,9 +440,9 @@ std::vector<double> AmrHierarchy::GatherSamples(const AmrRegion& region, Index3&
 /// false if other patches may have some of these cells.
 bool AmrHierarchy::FillInner(const AmrRegion& region, AmrNodes& nodes) const
 {
-  if (this->Levels[static_cast<std::size_t>(region.Level)].HasOverlaps ||
+  if (this->Patches.GetLevel(region.Level).HasOverlaps ||
     std::any_of(region.Patches.begin(), region.Patches.end(),
-      [this](std::size_t number) { return this->Patches[number].GhostCells != nullptr; }))
+      [this](std::size_t number) { return this->Patches.Get(number).GhostCells != nullptr; }))
   {
     return false;
   }
@@ -772,7 +450,7 @@ bool AmrHierarchy::FillInner(const AmrRegion& region, AmrNodes& nodes) const
   std::vector<double> samples = this->GatherSamples(region, dimensions);
   // Samples of points have the first inner node at 1, means of cells at 0.
   int first = 1;
-  if (this->OfCells)
+  if (this->Patches.AreOfCells())
   {
     samples = RefineCells(std::move(samples), region.Cells);
     dimensions = { 2 * region.Cells[0] - 1, 2 * region.Cells[1] - 1, 2 * region.Cells[2] - 1 };
@@ -791,7 +469,7 @@ bool AmrHierarchy::FillInner(const AmrRegion& region, AmrNodes& nodes) const
 //------------------------------------------------------------------------------
 AmrNodes AmrHierarchy::MakeNodes(const AmrRegion& region) const
 {
-  const int nodesOfCell = this->GetNodesOfCell();
+  const int nodesOfCell = this->Patches.GetNodesOfCell();
   AmrNodes nodes;
   Index3 first;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -802,7 +480,7 @@ AmrNodes AmrHierarchy::MakeNodes(const AmrRegion& region) const
   nodes.Values.resize(Count(nodes.Dimensions));
   const bool isInnerKnown = this->FillInner(region, nodes);
   std::vector<Index3> missing;
-  NodeReader reader(*this);
+  NodeReader reader(this->Patches);
   ForEachIndex({ 0, 0, 0 }, nodes.Dimensions,
     [&](const Index3& i)
     {
@@ -851,9 +529,9 @@ void AmrHierarchy::IncludeLent(
   {
     return;
   }
-  for (auto finer = static_cast<std::size_t>(level) + 1; finer < this->Levels.size(); ++finer)
+  for (int finer = level + 1; finer < this->Patches.GetNumberOfLevels(); ++finer)
   {
-    const Level& all = this->Levels[finer];
+    const AmrPatches::Level& all = this->Patches.GetLevel(finer);
     Index3 count;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -873,7 +551,7 @@ void AmrHierarchy::IncludeLent(
         }
         else if (lent.Min <= lent.Max)
         {
-          Include(this->Patches[number], true, first, end, range);
+          Include(this->Patches.Get(number), true, first, end, range);
         }
       });
   }
@@ -885,13 +563,13 @@ AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
 {
   // The cells that touch nodes of the region, of the layer behind it, and of the cells of coarser
   // levels that these are in.
-  const int margin = this->OfCells ? 1 : 2;
+  const int margin = this->Patches.AreOfCells() ? 1 : 2;
   Index3 first = region.First;
   Index3 end = GetEnd(first, region.Cells);
   AmrRange range;
   for (int level = region.Level; level >= 0; --level)
   {
-    const Level& all = this->Levels[static_cast<std::size_t>(level)];
+    const AmrPatches::Level& all = this->Patches.GetLevel(level);
     Index3 count;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -901,7 +579,8 @@ AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
     }
     const Bounds box = GetBox(first, count);
     all.ForEachIn(box,
-      [&](std::size_t other) { Include(this->Patches[other], this->OfCells, first, end, range); });
+      [&](std::size_t other)
+      { Include(this->Patches.Get(other), this->Patches.AreOfCells(), first, end, range); });
     // Coarser cells are as large as many of the finest.
     this->IncludeLent(level, first, end, level < region.Level, range);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -955,7 +634,7 @@ void AmrHierarchy::HideOwn(const AmrRegion& region, HiddenCells& hidden) const
 {
   for (const std::size_t number : region.Patches)
   {
-    const AmrPatch& patch = this->Patches[number];
+    const AmrPatch& patch = this->Patches.Get(number);
     ForEachIndex(patch.First, patch.Cells,
       [&](const Index3& cell)
       {
@@ -978,16 +657,16 @@ void AmrHierarchy::HideReplaced(const AmrRegion& region, HiddenCells& hidden) co
   // In cells of each level.
   Bounds around = GetBox(region.First, hidden.GetSize());
   Index3 ratio = { 1, 1, 1 };
-  for (auto level = static_cast<std::size_t>(region.Level); level < this->Levels.size(); ++level)
+  for (int level = region.Level; level < this->Patches.GetNumberOfLevels(); ++level)
   {
-    const bool isOwnLevel = level == static_cast<std::size_t>(region.Level);
+    const bool isOwnLevel = level == region.Level;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      ratio[axis] *= isOwnLevel ? 1 : this->Levels[level].Ratio[axis];
-      around.Lower[axis] *= isOwnLevel ? 1.0 : this->Levels[level].Ratio[axis];
-      around.Upper[axis] *= isOwnLevel ? 1.0 : this->Levels[level].Ratio[axis];
+      ratio[axis] *= isOwnLevel ? 1 : this->Patches.GetLevel(level).Ratio[axis];
+      around.Lower[axis] *= isOwnLevel ? 1.0 : this->Patches.GetLevel(level).Ratio[axis];
+      around.Upper[axis] *= isOwnLevel ? 1.0 : this->Patches.GetLevel(level).Ratio[axis];
     }
-    this->Levels[level].ForEachIn(around,
+    this->Patches.GetLevel(level).ForEachIn(around,
       [&](std::size_t number)
       {
         // A region of several patches overlaps no other.
@@ -995,7 +674,7 @@ void AmrHierarchy::HideReplaced(const AmrRegion& region, HiddenCells& hidden) co
         {
           return;
         }
-        const AmrPatch& other = this->Patches[number];
+        const AmrPatch& other = this->Patches.Get(number);
         // The cells that the other patch has as a whole.
         Index3 low;
         Index3 count;
@@ -1030,7 +709,7 @@ void AmrHierarchy::HideBehind(const AmrRegion& region, HiddenCells& hidden) cons
       {
         last[axis] = std::min(cell[axis], region.First[axis] + region.Cells[axis] - 1);
       }
-      if (cell != last && hidden.Has(last) && !this->IsShown(region.Level, cell))
+      if (cell != last && hidden.Has(last) && !this->Patches.IsShown(region.Level, cell))
       {
         hidden.Add(cell);
       }
@@ -1048,7 +727,7 @@ void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
     return;
   }
   this->HideBehind(region, hidden);
-  const int nodesOfCell = this->GetNodesOfCell();
+  const int nodesOfCell = this->Patches.GetNodesOfCell();
   const Index3 cells = { nodes.Dimensions[0] - 2, nodes.Dimensions[1] - 2,
     nodes.Dimensions[2] - 2 };
   nodes.HiddenCells.resize(Count(cells), 0);

@@ -5,35 +5,14 @@
 #define AmrHierarchy_h
 
 #include "Amr/AmrNodes.h"
-#include "Field/BoundsTree.h"
-#include "Image/Samples/VolumeView.h"
+#include "Amr/AmrPatches.h"
 
-#include <array>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
-
-/// A block of a refined grid: cells of one level.
-struct AmrPatch
-{
-  /// 0 is the coarsest.
-  int Level;
-  /// The first cell on the lattice of the level, and the number of cells.
-  Index3 First;
-  Index3 Cells;
-  /// At the points of the cells, or one for each cell.
-  VolumeView Samples;
-  /// For each cell, whether another patch has it (a ghost), or nothing is to be drawn there; null
-  /// if there are none of either.
-  const unsigned char* GhostCells = nullptr;
-  const unsigned char* HiddenCells = nullptr;
-  /// Only patches of one kind are traced as one.
-  int Kind = 0;
-};
 
 /// Patches of a level that fill a box, which are traced as one.
 struct AmrRegion
@@ -75,9 +54,9 @@ public:
   AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> patches, bool ofCells);
 
   /// The number of nodes along the edge of a cell, counted without one of its ends.
-  int GetNodesOfCell() const { return this->OfCells ? 2 : 1; }
+  int GetNodesOfCell() const { return this->Patches.GetNodesOfCell(); }
 
-  const AmrPatch& GetPatch(std::size_t number) const { return this->Patches[number]; }
+  const AmrPatch& GetPatch(std::size_t number) const { return this->Patches.Get(number); }
 
   /// All patches, each in one region. Those that have several patches lie in one of the cubes, with
   /// this number of cells of their level along each axis, that start at the origin of the lattice;
@@ -93,41 +72,11 @@ public:
   std::size_t FindPatch(const AmrRegion& region, const Index3& cell) const;
 
 private:
-  /// The patches of a level.
-  struct Level
-  {
-    /// Cells in one of the level before.
-    Index3 Ratio;
-    std::vector<std::size_t> Patches;
-    std::unique_ptr<BoundsTree> Tree;
-    bool HasOverlaps = false;
-
-    /// Calls visit(number) for the patches that have cells in a box.
-    template <typename Visit>
-    void ForEachIn(const Bounds& box, const Visit& visit) const;
-  };
   class NodeReader;
   class HiddenCells;
 
-  /// Patches that were found lately, of a level.
-  struct Likely
-  {
-    std::array<const AmrPatch*, 8> Patches = {};
-    std::size_t Next = 0;
-  };
-
-  const AmrPatch* FindOwner(int level, const Index3& cell, Likely& likely) const;
-  const AmrPatch* FindOwner(int level, const Index3& cell) const;
-  bool IsCoveredByFiner(int level, const Index3& cell) const;
-  /// By a level that is not coarser than a given one.
-  bool IsCoveredByCoarser(int level, const Index3& cell, int coarsest) const;
-  bool IsShown(int level, const Index3& cell) const;
-  double FindMean(int level, const Index3& cell) const;
   void FindLentRanges();
-  bool IsInCoarser(const AmrPatch& patch) const;
-  bool Covers(const Level& level, const Index3& first, const Index3& count) const;
   void IncludeLent(int level, Index3 first, Index3 end, bool asWhole, AmrRange& range) const;
-  bool HasOverlaps(const Level& level) const;
   AmrRegion MakeRegion(std::vector<std::size_t>&& patches) const;
   bool IsFilled(const AmrRegion& region) const;
   void Split(AmrRegion&& region, std::vector<AmrRegion>& regions) const;
@@ -138,9 +87,7 @@ private:
   void HideBehind(const AmrRegion& region, HiddenCells& hidden) const;
   void HideCells(const AmrRegion& region, AmrNodes& nodes) const;
 
-  bool OfCells;
-  std::vector<AmrPatch> Patches;
-  std::vector<Level> Levels;
+  AmrPatches Patches;
   /// Of patches whose means coarser levels may need, where they have no cells of their own; those
   /// of the others are empty. None if all are.
   std::vector<AmrRange> LentRanges;
