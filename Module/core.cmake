@@ -5,6 +5,7 @@ set(core_sources
   Amr/AmrHierarchy.cxx
   Amr/AmrNodes.cxx
   Amr/AmrPatches.cxx
+  Amr/AmrRegions.cxx
   Field/BoundsTree.cxx
   Field/FieldSet.cxx
   Field/TracedField.cxx

@@ -6,6 +6,7 @@
 
 #include "Amr/AmrNodes.h"
 #include "Amr/AmrPatches.h"
+#include "Amr/AmrRegions.h"
 
 #include <cstddef>
 #include <limits>
@@ -13,16 +14,6 @@
 
 namespace vtkIsosurfaceRayTracing
 {
-
-/// Patches of a level that fill a box, which are traced as one.
-struct AmrRegion
-{
-  int Level;
-  /// As those of patches.
-  Index3 First;
-  Index3 Cells;
-  std::vector<std::size_t> Patches;
-};
 
 /// The least and the largest of some values; the largest is less if there are none.
 struct AmrRange
@@ -58,10 +49,11 @@ public:
 
   const AmrPatch& GetPatch(std::size_t number) const { return this->Patches.Get(number); }
 
-  /// All patches, each in one region. Those that have several patches lie in one of the cubes, with
-  /// this number of cells of their level along each axis, that start at the origin of the lattice;
-  /// none has patches that overlap.
-  std::vector<AmrRegion> MakeRegions(int cells) const;
+  /// See MakeAmrRegions.
+  std::vector<AmrRegion> MakeRegions(int cells) const
+  {
+    return MakeAmrRegions(this->Patches, cells);
+  }
 
   AmrNodes MakeNodes(const AmrRegion& region) const;
 
@@ -69,7 +61,10 @@ public:
   AmrRange FindRange(const AmrRegion& region) const;
 
   /// The number of the patch of a region that has a cell of it, on the lattice of the level.
-  std::size_t FindPatch(const AmrRegion& region, const Index3& cell) const;
+  std::size_t FindPatch(const AmrRegion& region, const Index3& cell) const
+  {
+    return vtkIsosurfaceRayTracing::FindPatch(this->Patches, region, cell);
+  }
 
 private:
   class NodeReader;
@@ -77,9 +72,6 @@ private:
 
   void FindLentRanges();
   void IncludeLent(int level, Index3 first, Index3 end, bool asWhole, AmrRange& range) const;
-  AmrRegion MakeRegion(std::vector<std::size_t>&& patches) const;
-  bool IsFilled(const AmrRegion& region) const;
-  void Split(AmrRegion&& region, std::vector<AmrRegion>& regions) const;
   std::vector<double> GatherSamples(const AmrRegion& region, Index3& dimensions) const;
   bool FillInner(const AmrRegion& region, AmrNodes& nodes) const;
   void HideOwn(const AmrRegion& region, HiddenCells& hidden) const;
