@@ -2,6 +2,7 @@
 # found.
 
 set(core_sources
+  Amr/AmrHiddenCells.cxx
   Amr/AmrHierarchy.cxx
   Amr/AmrNodes.cxx
   Amr/AmrPatches.cxx

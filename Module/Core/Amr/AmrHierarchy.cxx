@@ -3,6 +3,8 @@
 
 #include "Amr/AmrHierarchy.h"
 
+#include "Amr/AmrHiddenCells.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -437,138 +439,13 @@ AmrRange AmrHierarchy::FindRange(const AmrRegion& region) const
 }
 
 //------------------------------------------------------------------------------
-/// Which cells of a region, and of the layer behind it, are hidden.
-class AmrHierarchy::HiddenCells
-{
-public:
-  explicit HiddenCells(const AmrRegion& region)
-    : First(region.First)
-    , Size{ region.Cells[0] + 1, region.Cells[1] + 1, region.Cells[2] + 1 }
-    , Flags(Count(this->Size), 0)
-  {
-  }
-
-  const Index3& GetSize() const { return this->Size; }
-  bool IsEmpty() const
-  {
-    return std::find(this->Flags.begin(), this->Flags.end(), 1) == this->Flags.end();
-  }
-
-  /// Cells are on the lattice of the level.
-  bool Has(const Index3& cell) const { return this->Flags[this->GetPlace(cell)] != 0; }
-  void Add(const Index3& cell) { this->Flags[this->GetPlace(cell)] = 1; }
-
-private:
-  std::size_t GetPlace(const Index3& cell) const
-  {
-    return Offset(
-      { cell[0] - this->First[0], cell[1] - this->First[1], cell[2] - this->First[2] }, this->Size);
-  }
-
-  Index3 First;
-  Index3 Size;
-  std::vector<unsigned char> Flags;
-};
-
-//------------------------------------------------------------------------------
-/// Hides the cells that patches of a region do not have, or do not show.
-void AmrHierarchy::HideOwn(const AmrRegion& region, HiddenCells& hidden) const
-{
-  for (const std::size_t number : region.Patches)
-  {
-    const AmrPatch& patch = this->Patches.Get(number);
-    ForEachIndex(patch.First, patch.Cells,
-      [&](const Index3& cell)
-      {
-        const std::size_t place = GetNumber(patch, cell);
-        if ((patch.GhostCells && patch.GhostCells[place] != 0) ||
-          (patch.HiddenCells && patch.HiddenCells[place] != 0))
-        {
-          hidden.Add(cell);
-        }
-      });
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Hides the cells in place of which others count: finer ones, and those of the patches of the
-/// level that come first. Cells behind the region count, too: a ray in a face of it may be taken
-/// for one in these.
-void AmrHierarchy::HideReplaced(const AmrRegion& region, HiddenCells& hidden) const
-{
-  // In cells of each level.
-  Bounds around = GetBox(region.First, hidden.GetSize());
-  Index3 ratio = { 1, 1, 1 };
-  for (int level = region.Level; level < this->Patches.GetNumberOfLevels(); ++level)
-  {
-    const bool isOwnLevel = level == region.Level;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      ratio[axis] *= isOwnLevel ? 1 : this->Patches.GetLevel(level).Ratio[axis];
-      around.Lower[axis] *= isOwnLevel ? 1.0 : this->Patches.GetLevel(level).Ratio[axis];
-      around.Upper[axis] *= isOwnLevel ? 1.0 : this->Patches.GetLevel(level).Ratio[axis];
-    }
-    this->Patches.GetLevel(level).ForEachIn(around,
-      [&](std::size_t number)
-      {
-        // A region of several patches overlaps no other.
-        if (isOwnLevel && number >= region.Patches.front())
-        {
-          return;
-        }
-        const AmrPatch& other = this->Patches.Get(number);
-        // The cells that the other patch has as a whole.
-        Index3 low;
-        Index3 count;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          const int end = FloorDivide(other.First[axis] + other.Cells[axis], ratio[axis]);
-          low[axis] = std::max(-FloorDivide(-other.First[axis], ratio[axis]), region.First[axis]);
-          count[axis] = std::min(end, region.First[axis] + region.Cells[axis] + 1) - low[axis];
-        }
-        ForEachIndex(low, count,
-          [&](const Index3& cell)
-          {
-            if (!isOwnLevel || (IsIn(region, cell) && Owns(other, cell)))
-            {
-              hidden.Add(cell);
-            }
-          });
-      });
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Hides cells of the layer behind a region that are behind hidden ones, and have nothing of their
-/// own to show: rays of projections go on into them.
-void AmrHierarchy::HideBehind(const AmrRegion& region, HiddenCells& hidden) const
-{
-  ForEachIndex(region.First, hidden.GetSize(),
-    [&](const Index3& cell)
-    {
-      Index3 last;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        last[axis] = std::min(cell[axis], region.First[axis] + region.Cells[axis] - 1);
-      }
-      if (cell != last && hidden.Has(last) && !this->Patches.IsShown(region.Level, cell))
-      {
-        hidden.Add(cell);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 void AmrHierarchy::HideCells(const AmrRegion& region, AmrNodes& nodes) const
 {
-  HiddenCells hidden(region);
-  this->HideOwn(region, hidden);
-  this->HideReplaced(region, hidden);
+  const AmrHiddenCells hidden(this->Patches, region);
   if (hidden.IsEmpty())
   {
     return;
   }
-  this->HideBehind(region, hidden);
   const int nodesOfCell = this->Patches.GetNodesOfCell();
   const Index3 cells = { nodes.Dimensions[0] - 2, nodes.Dimensions[1] - 2,
     nodes.Dimensions[2] - 2 };

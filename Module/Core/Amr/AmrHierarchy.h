@@ -68,15 +68,11 @@ public:
 
 private:
   class NodeReader;
-  class HiddenCells;
 
   void FindLentRanges();
   void IncludeLent(int level, Index3 first, Index3 end, bool asWhole, AmrRange& range) const;
   std::vector<double> GatherSamples(const AmrRegion& region, Index3& dimensions) const;
   bool FillInner(const AmrRegion& region, AmrNodes& nodes) const;
-  void HideOwn(const AmrRegion& region, HiddenCells& hidden) const;
-  void HideReplaced(const AmrRegion& region, HiddenCells& hidden) const;
-  void HideBehind(const AmrRegion& region, HiddenCells& hidden) const;
   void HideCells(const AmrRegion& region, AmrNodes& nodes) const;
 
   AmrPatches Patches;
