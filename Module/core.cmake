@@ -6,6 +6,7 @@ set(core_sources
   Amr/AmrHierarchy.cxx
   Amr/AmrNodes.cxx
   Amr/AmrPatches.cxx
+  Amr/AmrRanges.cxx
   Amr/AmrRegions.cxx
   Field/BoundsTree.cxx
   Field/FieldSet.cxx

@@ -6,21 +6,14 @@
 
 #include "Amr/AmrNodes.h"
 #include "Amr/AmrPatches.h"
+#include "Amr/AmrRanges.h"
 #include "Amr/AmrRegions.h"
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
 {
-
-/// The least and the largest of some values; the largest is less if there are none.
-struct AmrRange
-{
-  double Min = std::numeric_limits<double>::infinity();
-  double Max = -std::numeric_limits<double>::infinity();
-};
 
 /// Adaptive mesh refinement: patches on lattices that are finer from level to level, of which the
 /// finest count. It gives each region samples such that the trilinear interpolants of all regions
@@ -43,6 +36,8 @@ public:
   /// axis; those of the first level are not used. What patches refer to must outlive the hierarchy
   /// and not change.
   AmrHierarchy(std::vector<Index3> ratios, std::vector<AmrPatch> patches, bool ofCells);
+  AmrHierarchy(const AmrHierarchy&) = delete;
+  void operator=(const AmrHierarchy&) = delete;
 
   /// The number of nodes along the edge of a cell, counted without one of its ends.
   int GetNodesOfCell() const { return this->Patches.GetNodesOfCell(); }
@@ -58,7 +53,7 @@ public:
   AmrNodes MakeNodes(const AmrRegion& region) const;
 
   /// A range that has all finite values of the interpolant in a region; it may be larger.
-  AmrRange FindRange(const AmrRegion& region) const;
+  AmrRange FindRange(const AmrRegion& region) const { return this->Ranges.Find(region); }
 
   /// The number of the patch of a region that has a cell of it, on the lattice of the level.
   std::size_t FindPatch(const AmrRegion& region, const Index3& cell) const
@@ -69,16 +64,12 @@ public:
 private:
   class NodeReader;
 
-  void FindLentRanges();
-  void IncludeLent(int level, Index3 first, Index3 end, bool asWhole, AmrRange& range) const;
   std::vector<double> GatherSamples(const AmrRegion& region, Index3& dimensions) const;
   bool FillInner(const AmrRegion& region, AmrNodes& nodes) const;
   void HideCells(const AmrRegion& region, AmrNodes& nodes) const;
 
   AmrPatches Patches;
-  /// Of patches whose means coarser levels may need, where they have no cells of their own; those
-  /// of the others are empty. None if all are.
-  std::vector<AmrRange> LentRanges;
+  AmrRanges Ranges;
 };
 
 }
