@@ -86,6 +86,30 @@ bool IsInner(const Index3& node, const AmrNodes& nodes)
   return isInner;
 }
 
+/// Gives values to nodes around the data: they go on in a straight line, so that central
+/// differences are one-sided.
+void ContinueInto(const std::vector<Index3>& missing, AmrNodes& nodes)
+{
+  for (const Index3& node : missing)
+  {
+    Index3 nearest;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      nearest[axis] = std::clamp(node[axis], 1, nodes.Dimensions[axis] - 2);
+    }
+    const double atNearest = nodes.Values[Offset(nearest, nodes.Dimensions)];
+    double value = atNearest;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      Index3 next = nearest;
+      next[axis] -= node[axis] - nearest[axis];
+      value += atNearest - nodes.Values[Offset(next, nodes.Dimensions)];
+    }
+    nodes.Values[Offset(node, nodes.Dimensions)] = value;
+    nodes.Continued.push_back(Offset(node, nodes.Dimensions));
+  }
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -300,25 +324,7 @@ AmrNodes AmrHierarchy::MakeNodes(const AmrRegion& region) const
         missing.push_back(i);
       }
     });
-  // Around the data, values go on in a straight line, so that central differences are one-sided.
-  for (const Index3& node : missing)
-  {
-    Index3 nearest;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      nearest[axis] = std::clamp(node[axis], 1, nodes.Dimensions[axis] - 2);
-    }
-    const double atNearest = nodes.Values[Offset(nearest, nodes.Dimensions)];
-    double value = atNearest;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      Index3 next = nearest;
-      next[axis] -= node[axis] - nearest[axis];
-      value += atNearest - nodes.Values[Offset(next, nodes.Dimensions)];
-    }
-    nodes.Values[Offset(node, nodes.Dimensions)] = value;
-    nodes.Continued.push_back(Offset(node, nodes.Dimensions));
-  }
+  ContinueInto(missing, nodes);
   this->HideCells(region, nodes);
   return nodes;
 }
