@@ -3,7 +3,6 @@
 
 #include "Field/FieldSet.h"
 
-#include "Field/BuildTimer.h"
 #include "Field/GatheredRays.h"
 #include "Field/HitCollector.h"
 #include "Field/PixelBlocks.h"
@@ -13,7 +12,6 @@
 #include "Math/PrefetchLines.h"
 #include "Rays/AppendBoxedRay.h"
 #include "Rays/LineFrustum.h"
-#include "Rays/PlaneRounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +24,6 @@ namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-/// More than what rounding may move rays, hits and boxes by, as a part of their distance or size.
-constexpr double Slack = 1e-9;
-
-/// The same for rays of a projection in the box of a member: behind it, they would count values
-/// that are not its own.
-constexpr double SlackOfProjections = 0x1p-48;
 
 /// Narrows the rays of a packet to a box.
 void Cut(const Kernels* kernels, const RayPacket& packet, const Bounds& box, RaysInBox& inside)
@@ -102,85 +93,7 @@ double FindLargest(const double* numbers)
   return *std::max_element(largest, largest + parts);
 }
 
-/// A half-space in another space, from which a transformation leads to its own.
-HalfSpace Transform(const HalfSpace& half, const Matrix4& setFromOwn)
-{
-  HalfSpace result = half;
-  result.Normal = TransposeTransformDirection(setFromOwn, half.Normal);
-  result.Offset = Dot(half.Normal, TransformPoint(setFromOwn, { 0.0, 0.0, 0.0 })) + half.Offset;
-  return result;
 }
-
-bool IsLimited(const MemoryBudget& budget)
-{
-  return budget.CacheBytes != MemoryBudget{}.CacheBytes;
-}
-
-double FindMargin(const Bounds& box, double slack = Slack)
-{
-  const Vector3 size = box.Upper - box.Lower;
-  return slack * std::max(std::max(size[0], size[1]), size[2]);
-}
-
-/// A box a little larger, by more than what rounding may move rays and hits.
-Bounds WithMargin(const Bounds& box, double slack = Slack)
-{
-  Bounds larger = box;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    larger.Lower[axis] -= FindMargin(box, slack);
-    larger.Upper[axis] += FindMargin(box, slack);
-  }
-  return larger;
-}
-
-}
-
-//------------------------------------------------------------------------------
-struct alignas(64) FieldSet::Member
-{
-  Bounds Box;
-  bool IsOnDemand = false;
-  bool IsSeamless = false;
-
-  FieldSource* Source = nullptr;
-  Matrix4 SetFromOwn;
-  Matrix4 OwnFromSet;
-  Matrix4 SetFromOwnGradient;
-  double CellSize = 1.0;
-  double MemoryShare = 1.0;
-  /// Null before it is selected first.
-  TracedField* Field = nullptr;
-  /// The number of half-spaces that cut the member alone: those of the request follow.
-  int OwnHalfSpaces = 0;
-  /// What rays of a projection are cut to.
-  Bounds BoxOfProjections;
-
-  /// A hit, with the number that its half-space has in the member.
-  Hit ToOwn(Hit hit) const
-  {
-    hit.Plane += hit.Plane == Hit::NoPlane ? 0 : this->OwnHalfSpaces;
-    return hit;
-  }
-
-  RayPacket MoveLines(const RayPacket& lines) const
-  {
-    RayPacket moved;
-    moved.Clear();
-    moved.Count = lines.Count;
-    for (int i = 0; i < lines.Count; ++i)
-    {
-      const Vector3 origin = TransformPoint(this->OwnFromSet, lines.GetOrigin(i));
-      const Vector3 direction = TransformDirection(this->OwnFromSet, lines.GetDirection(i));
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        moved.Origin[axis][i] = origin[axis];
-        moved.Direction[axis][i] = direction[axis];
-      }
-    }
-    return moved;
-  }
-};
 
 //------------------------------------------------------------------------------
 /// A member that rays may meet, and a T that none of them comes to it before, on the rays as they
@@ -244,7 +157,7 @@ public:
   }
 
   /// That of a member, begun with the lines; null if it does not use any.
-  Beam* GetBeam(std::size_t number, const Member& member)
+  Beam* GetBeam(std::size_t number, const SetMember& member)
   {
     if (!this->HasLines || !member.Field->UsesBeams())
     {
@@ -298,189 +211,25 @@ private:
 
 //------------------------------------------------------------------------------
 FieldSet::FieldSet(const std::vector<PlacedField>& fields)
-  : NumberOfMembers(fields.size())
-  , Members(new Member[fields.size()])
-  , States(new std::atomic<unsigned int>[fields.size()])
+  : Members(fields)
   , Tree(
-      [&fields]
+      [this]
       {
         std::vector<Bounds> boxes;
-        boxes.reserve(fields.size());
-        for (const PlacedField& field : fields)
+        boxes.reserve(this->Members.GetCount());
+        for (std::size_t i = 0; i < this->Members.GetCount(); ++i)
         {
-          boxes.push_back(WithMargin(field.Box));
+          boxes.push_back(this->Members.Get(i).Box);
         }
         return boxes;
       }())
   , Box(this->Tree.GetBounds())
-  , Reach(Slack * Length(this->Box.Upper - this->Box.Lower))
+  , Reach(SlackOfSets * Length(this->Box.Upper - this->Box.Lower))
 {
-  for (std::size_t i = 0; i < fields.size(); ++i)
-  {
-    const PlacedField& placed = fields[i];
-    this->States[i] = 0;
-    Member& member = this->Members[i];
-    member.Source = placed.Source;
-    member.Box = WithMargin(placed.Box);
-    member.BoxOfProjections = WithMargin(placed.Box, SlackOfProjections);
-    member.SetFromOwn = placed.SetFromOwn;
-    member.OwnFromSet = InvertAffine(placed.SetFromOwn);
-    member.SetFromOwnGradient = NormalMatrix(placed.SetFromOwn);
-    member.CellSize = placed.CellSize;
-    member.MemoryShare = placed.MemoryShare;
-    member.IsOnDemand = placed.IsOnDemand;
-    member.IsSeamless = placed.IsSeamless;
-    this->MemoryShares += placed.MemoryShare;
-    if (!placed.IsOnDemand)
-    {
-      this->Eager.push_back(i);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
 FieldSet::~FieldSet() = default;
-
-//------------------------------------------------------------------------------
-void FieldSet::Select(
-  const TraceRequest& request, const Execution& execution, const MemoryBudget& budget)
-{
-  // There may be thousands of members. Those that have had the same selection need no other, unless
-  // they are to evict something.
-  const bool isSame = this->IsSelectionKnown && request == this->Request &&
-    execution.PacketKernels == this->PacketKernels && !IsLimited(this->Budget) &&
-    !IsLimited(budget);
-  this->IsSelectionKnown = false; // Whatever throws on the way.
-  this->Request = request;
-  this->PacketKernels = execution.PacketKernels;
-  this->Budget = budget;
-  if (!isSame)
-  {
-    ++this->Selection;
-    this->DepthsOfCaps.clear();
-    for (const HalfSpace& half : request.Visible.HalfSpaces)
-    {
-      this->DepthsOfCaps.push_back(half.IsCapped ? this->FindDepthOfCaps(half) : 0.0);
-    }
-  }
-  this->GradientSeconds = 0.0;
-  for (const std::size_t number : this->Eager)
-  {
-    if (!this->IsSelected(number))
-    {
-      this->SelectMember(number, execution);
-      this->GradientSeconds += this->Members[number].Field->GetGradientSeconds();
-    }
-  }
-  this->IsSelectionKnown = true;
-}
-
-//------------------------------------------------------------------------------
-/// Meshes move planes into their cells, by what rounding to single precision takes from points: see
-/// MovePlanesIntoCells.
-double FieldSet::FindDepthOfCaps(const HalfSpace& half) const
-{
-  constexpr double rounding = 0x1p-23;
-  double deepest = 0.0;
-  for (std::size_t number = 0; number < this->NumberOfMembers; ++number)
-  {
-    const Member& member = this->Members[number];
-    if (member.Box.Lower[0] > member.Box.Upper[0])
-    {
-      continue; // It has no cells.
-    }
-    const HalfSpace own = Transform(half, member.SetFromOwn);
-    const Bounds box = TransformBounds(member.OwnFromSet, member.Box);
-    deepest = std::max(deepest, FindRounding(own, box, rounding, rounding));
-  }
-  return deepest;
-}
-
-//------------------------------------------------------------------------------
-/// That of all, in the object space of a member, with what is visible of it.
-TraceRequest FieldSet::MakeRequest(std::size_t number) const
-{
-  Member& member = this->Members[number];
-  TraceRequest request = this->Request;
-  if (!request.MemberOpacities.empty())
-  {
-    for (Isosurface& surface : request.Surfaces)
-    {
-      surface.Opacity = this->Request.MemberOpacities[number].value_or(surface.Opacity);
-    }
-    request.MemberOpacities.clear();
-  }
-  request.Visible = member.Source->FindVisible();
-  member.OwnHalfSpaces = static_cast<int>(request.Visible.HalfSpaces.size());
-  for (const HalfSpace& half : this->Request.Visible.HalfSpaces)
-  {
-    request.Visible.HalfSpaces.push_back(Transform(half, member.SetFromOwn));
-  }
-  return request;
-}
-
-//------------------------------------------------------------------------------
-void FieldSet::SelectMember(std::size_t number, const Execution& execution) const
-{
-  const bool mayHit = this->SelectField(number, execution);
-  this->States[number].store(2 * this->Selection + (mayHit ? 1 : 0), std::memory_order_release);
-}
-
-//------------------------------------------------------------------------------
-/// Selects the field of a member, if it is needed. Returns whether rays may hit anything of it.
-bool FieldSet::SelectField(std::size_t number, const Execution& execution) const
-{
-  Member& member = this->Members[number];
-  const bool mayHit = this->Request.Visible.HasCaps() || member.Source->MayHit(this->Request);
-  if (!mayHit && member.IsOnDemand)
-  {
-    return false;
-  }
-  member.Field = &member.Source->GetField();
-  MemoryBudget budget = this->Budget;
-  if (IsLimited(budget))
-  {
-    budget.CacheBytes = static_cast<std::size_t>(
-      static_cast<double>(budget.CacheBytes) * (member.MemoryShare / this->MemoryShares));
-  }
-  member.Field->Select(this->MakeRequest(number), execution, budget);
-  return member.Field->MayHit();
-}
-
-//------------------------------------------------------------------------------
-bool FieldSet::IsSelected(std::size_t number) const
-{
-  return this->States[number].load(std::memory_order_acquire) / 2 == this->Selection;
-}
-
-//------------------------------------------------------------------------------
-/// Whether rays may hit anything of a member. Before it is selected that is not known.
-bool FieldSet::MayHitMember(std::size_t number) const
-{
-  return this->States[number].load(std::memory_order_acquire) != 2 * this->Selection;
-}
-
-//------------------------------------------------------------------------------
-/// Selects a member, unless it is. Returns null if rays hit nothing of it.
-FieldSet::Member* FieldSet::Prepare(std::size_t number) const
-{
-  if (!this->IsSelected(number))
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutexes[number % this->Mutexes.size()]);
-    if (!this->IsSelected(number))
-    {
-      const BuildTimer timer;
-      this->SelectMember(number, { 1, this->PacketKernels });
-    }
-  }
-  return this->MayHitMember(number) ? &this->Members[number] : nullptr;
-}
-
-//------------------------------------------------------------------------------
-const FieldSet::Member& FieldSet::GetMember(const Hit& hit) const
-{
-  return this->Members[static_cast<std::size_t>(hit.Member)];
-}
 
 //------------------------------------------------------------------------------
 void FieldSet::AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
@@ -493,12 +242,12 @@ void FieldSet::AddRay(const Vector3& origin, const Vector3& direction, double be
 void FieldSet::MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
   RayPacket& packet) const
 {
-  if (!this->PacketKernels)
+  if (!this->Members.GetKernels())
   {
     TracedField::MakeRays(view, pixels, depths, packet);
     return;
   }
-  this->PacketKernels->MakeBoxedRays(
+  this->Members.GetKernels()->MakeBoxedRays(
     MakePixelBlock(view, pixels, depths), this->Box.Lower.data(), this->Box.Upper.data(), packet);
 }
 
@@ -515,10 +264,10 @@ void FieldSet::Begin(const RayPacket& lines, Beam* beam) const
   thread->Begin(lines);
   const LineFrustum frustum(lines, this->Box);
   this->Tree.FindByGroups([&](const BoxGroup& boxes)
-    { return Meet(this->PacketKernels, frustum, boxes); },
+    { return Meet(this->Members.GetKernels(), frustum, boxes); },
     [&](std::size_t number, const Bounds& box)
     {
-      if (this->MayHitMember(number))
+      if (this->Members.MayHit(number))
       {
         thread->InBeam.push_back({ frustum.FindNear(box), number, box });
       }
@@ -547,15 +296,15 @@ bool FieldSet::MayHitBetween(RayPacket& lines, Beam* beam) const
       {
         return false;
       }
-      if (!this->IsSelected(candidate.Number))
+      if (!this->Members.IsSelected(candidate.Number))
       {
         return true;
       }
-      if (!this->MayHitMember(candidate.Number))
+      if (!this->Members.MayHit(candidate.Number))
       {
         return false;
       }
-      const Member& member = this->Members[candidate.Number];
+      const SetMember& member = this->Members.Get(candidate.Number);
       RayPacket moved = member.MoveLines(lines);
       return member.Field->MayHitBetween(moved, thread->GetBeam(candidate.Number, member));
     });
@@ -570,15 +319,15 @@ std::vector<FieldSet::Candidate> FieldSet::FindCandidates(const RayPacket& packe
   this->Tree.Find(
     [&](const Bounds& box)
     {
-      Cut(this->PacketKernels, packet, box, inside);
+      Cut(this->Members.GetKernels(), packet, box, inside);
       return !IsEmpty(inside.Rays);
     },
     [&](std::size_t number)
     {
       // The box that was cut to last is that of the member.
-      if (this->MayHitMember(number))
+      if (this->Members.MayHit(number))
       {
-        candidates.push_back({ FindNear(packet, inside), number, this->Members[number].Box });
+        candidates.push_back({ FindNear(packet, inside), number, this->Members.Get(number).Box });
       }
     });
   std::sort(candidates.begin(), candidates.end());
@@ -621,7 +370,7 @@ void FieldSet::TracePackets(TracedPacket* packets, int count, Beam* beam)
     {
       const BoxGroup& boxes = thread->Boxes[first / BoxGroup::Size];
       const std::size_t size = std::min<std::size_t>(BoxGroup::Size, thread->InBeam.size() - first);
-      unsigned int met = Meet(this->PacketKernels, frustum, boxes) & ((1U << size) - 1);
+      unsigned int met = Meet(this->Members.GetKernels(), frustum, boxes) & ((1U << size) - 1);
       for (; met != 0; met &= met - 1)
       {
         thread->InBeam[first + static_cast<std::size_t>(LowestBit(met))].Packets |= 1U << i;
@@ -660,23 +409,23 @@ void FieldSet::TraceMembers(const std::vector<Candidate>& candidates, ThreadBeam
 void FieldSet::PrefetchNext(const std::vector<Candidate>& candidates, std::size_t current) const
 {
   constexpr std::size_t sizeOfField = 704; // Of an ImageField, about.
-  const auto find = [&](std::size_t ahead) -> const Member*
+  const auto find = [&](std::size_t ahead) -> const SetMember*
   {
     const std::size_t i = current + ahead;
     // The others hit nothing, or another thread may be making them.
     const bool isTraced = i < candidates.size() && candidates[i].Packets != 0 &&
-      this->IsSelected(candidates[i].Number) && this->MayHitMember(candidates[i].Number);
-    return isTraced ? &this->Members[candidates[i].Number] : nullptr;
+      this->Members.IsSelected(candidates[i].Number) && this->Members.MayHit(candidates[i].Number);
+    return isTraced ? &this->Members.Get(candidates[i].Number) : nullptr;
   };
-  if (const Member* member = find(6))
+  if (const SetMember* member = find(6))
   {
-    PrefetchLines(member, sizeof(Member));
+    PrefetchLines(member, sizeof(SetMember));
   }
-  if (const Member* member = find(4))
+  if (const SetMember* member = find(4))
   {
     PrefetchLines(member->Field, sizeOfField);
   }
-  if (const Member* member = find(2))
+  if (const SetMember* member = find(2))
   {
     member->Field->Prefetch();
   }
@@ -689,9 +438,10 @@ void FieldSet::TraceMember(const Candidate& candidate, ThreadBeam& beam) const
 {
   GatheredRays& gathered = beam.Gathered;
   gathered.Clear();
-  const Bounds& box =
-    this->Request.Projection ? this->Members[candidate.Number].BoxOfProjections : candidate.Box;
-  const Member* member = nullptr;
+  const Bounds& box = this->Members.GetRequest().Projection
+    ? this->Members.Get(candidate.Number).BoxOfProjections
+    : candidate.Box;
+  const SetMember* member = nullptr;
   for (unsigned int left = candidate.Packets; left != 0; left &= left - 1)
   {
     const int number = LowestBit(left);
@@ -700,9 +450,9 @@ void FieldSet::TraceMember(const Candidate& candidate, ThreadBeam& beam) const
     {
       continue;
     }
-    Cut(this->PacketKernels, *packet.Rays, box, beam.Inside);
+    Cut(this->Members.GetKernels(), *packet.Rays, box, beam.Inside);
     const int count = CountOf(beam.Inside.Rays);
-    member = count > 0 && !member ? this->Prepare(candidate.Number) : member;
+    member = count > 0 && !member ? this->Members.Prepare(candidate.Number) : member;
     if (count > 0 && !member)
     {
       return;
@@ -731,7 +481,7 @@ void FieldSet::TraceGathered(std::size_t number, ThreadBeam& beam) const
   {
     return;
   }
-  const Member& member = this->Members[number];
+  const SetMember& member = this->Members.Get(number);
   member.Field->MoveRays(gathered.Rays, gathered.Parts, member.OwnFromSet, beam.Moved);
   this->TraceMoved(number, beam,
     [&gathered](int ray) { return std::pair(gathered.Packet[ray], gathered.Place[ray]); });
@@ -744,7 +494,7 @@ void FieldSet::TraceGathered(std::size_t number, ThreadBeam& beam) const
 template <typename Find>
 void FieldSet::TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find) const
 {
-  const Member& member = this->Members[number];
+  const SetMember& member = this->Members.Get(number);
   const RayHits& found = beam.HitsOfMember;
   member.Field->Trace(beam.Moved, beam.HitsOfMember, beam.GetBeam(number, member));
   if (found.Hits.empty())
@@ -782,15 +532,17 @@ bool FieldSet::TakeHit(
   double depthOfCaps = 0.0;
   if (hit.Plane != Hit::NoPlane)
   {
-    hit.Plane -= this->Members[number].OwnHalfSpaces;
+    hit.Plane -= this->Members.Get(number).OwnHalfSpaces;
     const auto plane = static_cast<std::size_t>(hit.Plane);
     // The same for all members with a cap there, whatever their arithmetic.
-    const PlaneCrossing crossing = FindCrossing(
-      this->Request.Visible.HalfSpaces[plane], rays.GetOrigin(ray), rays.GetDirection(ray));
+    const PlaneCrossing crossing =
+      FindCrossing(this->Members.GetRequest().Visible.HalfSpaces[plane], rays.GetOrigin(ray),
+        rays.GetDirection(ray));
     hit.T = crossing.T;
-    depthOfCaps = this->DepthsOfCaps[plane] / std::abs(crossing.Slope);
+    depthOfCaps = this->Members.GetDepthOfCaps(plane) / std::abs(crossing.Slope);
   }
-  const bool isOpaque = !this->Request.Projection && this->Request.GetOpacity(hit) >= 1.0;
+  const bool isOpaque =
+    !this->Members.GetRequest().Projection && this->Members.GetRequest().GetOpacity(hit) >= 1.0;
   if (isOpaque)
   {
     // Another member may have a hit or a cap right there.
@@ -811,8 +563,8 @@ bool FieldSet::IsOfEarlierBlock(const Hit& a, const Hit& b) const
   {
     return false;
   }
-  const unsigned int blockOfA = this->GetMember(a).Source->GetBlock(a);
-  const unsigned int blockOfB = this->GetMember(b).Source->GetBlock(b);
+  const unsigned int blockOfA = this->Members.Get(a).Source->GetBlock(a);
+  const unsigned int blockOfB = this->Members.Get(b).Source->GetBlock(b);
   return blockOfA < blockOfB || (blockOfA == blockOfB && a.Member < b.Member);
 }
 
@@ -836,9 +588,9 @@ void FieldSet::JoinHits(PacketOfSet& packet) const
     {
       hits.Hits.push_back(found.front());
     }
-    else if (this->Request.Projection && !found.empty())
+    else if (this->Members.GetRequest().Projection && !found.empty())
     {
-      const bool isLargest = this->Request.Projection == Extremum::Largest;
+      const bool isLargest = this->Members.GetRequest().Projection == Extremum::Largest;
       const auto extreme = std::min_element(found.begin(), found.end(),
         [isLargest](const Hit& a, const Hit& b)
         { return isLargest ? a.Value > b.Value : a.Value < b.Value; });
@@ -870,12 +622,12 @@ void FieldSet::DropTwins(const Vector3& direction, std::vector<Hit>& found) cons
   for (std::size_t i = 0; i < found.size(); ++i)
   {
     const Hit& hit = found[i];
-    const Member& member = this->GetMember(hit);
+    const SetMember& member = this->Members.Get(hit);
     bool isTwin = false;
     for (std::size_t k = kept; member.IsSeamless && !isTwin && k-- > 0;)
     {
-      const Member& other = this->GetMember(found[k]);
-      const double overlap = 2.0 * (FindMargin(member.Box) + FindMargin(other.Box));
+      const SetMember& other = this->Members.Get(found[k]);
+      const double overlap = 2.0 * (member.FindMargin() + other.FindMargin());
       if ((hit.T - found[k].T) * length > overlap)
       {
         break;
@@ -902,12 +654,12 @@ void FieldSet::FindTransmittance(
   double some[RayPacket::Capacity];
   for (const Candidate& candidate : this->FindCandidates(packet))
   {
-    const Member* member = this->Prepare(candidate.Number);
+    const SetMember* member = this->Members.Prepare(candidate.Number);
     if (!member)
     {
       continue;
     }
-    Cut(this->PacketKernels, packet, member->Box, inside);
+    Cut(this->Members.GetKernels(), packet, member->Box, inside);
     for (int i = 0; i < packet.Count; ++i)
     {
       const bool startsHere = departures[i].Member == static_cast<int>(candidate.Number);
@@ -937,9 +689,9 @@ void FieldSet::FindTransmittance(
 void FieldSet::AddClouds(const Camera& view, const std::vector<ValueIntervals>& shown,
   const Kernels* kernels, std::vector<ViewedCloud>& clouds) const
 {
-  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
+  for (std::size_t i = 0; i < this->Members.GetCount(); ++i)
   {
-    if (const Member* member = this->Prepare(i))
+    if (const SetMember* member = this->Members.Prepare(i))
     {
       const Camera own(Multiply(view.GetClipFromObject(), member->SetFromOwn),
         Multiply(member->OwnFromSet, view.GetObjectFromClip()),
@@ -952,20 +704,20 @@ void FieldSet::AddClouds(const Camera& view, const std::vector<ValueIntervals>& 
 //------------------------------------------------------------------------------
 Vector3 FieldSet::GetPoint(const Hit& hit) const
 {
-  const Member& member = this->GetMember(hit);
+  const SetMember& member = this->Members.Get(hit);
   return TransformPoint(member.SetFromOwn, member.Field->GetPoint(member.ToOwn(hit)));
 }
 
 //------------------------------------------------------------------------------
 Vector3 FieldSet::GetPointInCells(const Hit& hit) const
 {
-  return this->GetMember(hit).Field->GetPointInCells(hit);
+  return this->Members.Get(hit).Field->GetPointInCells(hit);
 }
 
 //------------------------------------------------------------------------------
 Vector3 FieldSet::GetGradient(const Hit& hit, NormalMode mode) const
 {
-  const Member& member = this->GetMember(hit);
+  const SetMember& member = this->Members.Get(hit);
   return TransformDirection(
     member.SetFromOwnGradient, member.Field->GetGradient(member.ToOwn(hit), mode));
 }
@@ -983,7 +735,7 @@ void FieldSet::GetPointsAndGradients(const Hit* hits, int count, NormalMode mode
   while (count > 0)
   {
     const int number = hits[left[0]].Member;
-    const Member& member = this->GetMember(hits[left[0]]);
+    const SetMember& member = this->Members.Get(hits[left[0]]);
     int ownCount = 0;
     int others = 0;
     // Which is which is unpredictable: counting is faster than branching.
@@ -1021,13 +773,13 @@ void FieldSet::GetPointsAndGradients(const Hit* hits, int count, NormalMode mode
 FieldStatistics FieldSet::GetStatistics() const
 {
   FieldStatistics all;
-  all.HierarchyMemory = this->Tree.GetMemory() + this->NumberOfMembers * sizeof(Member);
-  for (std::size_t i = 0; i < this->NumberOfMembers; ++i)
+  all.HierarchyMemory = this->Tree.GetMemory() + this->Members.GetCount() * sizeof(SetMember);
+  for (std::size_t i = 0; i < this->Members.GetCount(); ++i)
   {
-    if (const TracedField* field = this->Members[i].Field)
+    if (const TracedField* field = this->Members.Get(i).Field)
     {
       all += field->GetStatistics();
-      all.HierarchyMemory += this->Members[i].Source->GetMemory();
+      all.HierarchyMemory += this->Members.Get(i).Source->GetMemory();
     }
   }
   return all;
