@@ -10,6 +10,7 @@ set(core_sources
   Amr/AmrRegions.cxx
   Field/BoundsTree.cxx
   Field/FieldSet.cxx
+  Field/PacketInSet.cxx
   Field/SetMembers.cxx
   Field/TracedField.cxx
   Image/Cells/BoxFaces.cxx

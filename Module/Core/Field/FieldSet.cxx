@@ -4,7 +4,7 @@
 #include "Field/FieldSet.h"
 
 #include "Field/GatheredRays.h"
-#include "Field/HitCollector.h"
+#include "Field/PacketInSet.h"
 #include "Field/PixelBlocks.h"
 #include "Math/Arithmetic.h"
 #include "Math/Compiler.h"
@@ -76,23 +76,6 @@ double FindNear(const RayPacket& packet, const RaysInBox& inside)
   return near;
 }
 
-/// The largest number of an array as large as a packet: in eight parts, which take no longer than
-/// one.
-double FindLargest(const double* numbers)
-{
-  constexpr int parts = 8;
-  double largest[parts];
-  std::copy_n(numbers, parts, largest);
-  for (int i = parts; i < RayPacket::Capacity; i += parts)
-  {
-    for (int k = 0; k < parts; ++k)
-    {
-      largest[k] = largest[k] > numbers[i + k] ? largest[k] : numbers[i + k];
-    }
-  }
-  return *std::max_element(largest, largest + parts);
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -109,32 +92,6 @@ struct FieldSet::Candidate
   bool operator<(const Candidate& other) const
   {
     return std::make_pair(this->Near, this->Number) < std::make_pair(other.Near, other.Number);
-  }
-};
-
-//------------------------------------------------------------------------------
-/// A packet that is traced.
-struct FieldSet::PacketOfSet
-{
-  RayPacket* Rays;
-  RayHits* Hits;
-  /// The T that each ray ends at, on the ray as it was given, and the greatest of them.
-  alignas(64) double Ends[RayPacket::Capacity];
-  double End;
-  /// The hits of each ray with all members so far.
-  std::vector<Hit> Found[RayPacket::Capacity];
-
-  void Begin(RayPacket& rays, RayHits& hits)
-  {
-    this->Rays = &rays;
-    this->Hits = &hits;
-    std::fill_n(this->Ends, RayPacket::Capacity, -Infinity);
-    for (int i = 0; i < rays.Count; ++i)
-    {
-      this->Ends[i] = Has(rays.Exists, i) ? rays.Base[i] + rays.End[i] : -Infinity;
-      this->Found[i].clear();
-    }
-    this->End = FindLargest(this->Ends);
   }
 };
 
@@ -189,7 +146,7 @@ public:
   /// The members that rays between the lines may meet, front to back, and their boxes.
   std::vector<Candidate> InBeam;
   std::vector<BoxGroup> Boxes;
-  PacketOfSet Packets[PacketsAtOnce];
+  PacketInSet Packets[PacketsAtOnce];
   int PacketCount = 0;
   /// Of the member that is traced: rays and hits.
   RaysInBox Inside;
@@ -384,13 +341,13 @@ void FieldSet::TracePackets(TracedPacket* packets, int count, Beam* beam)
 /// Traces the packets through the candidates, which are sorted.
 void FieldSet::TraceMembers(const std::vector<Candidate>& candidates, ThreadBeam& beam) const
 {
-  const PacketOfSet* const first = beam.Packets;
+  const PacketInSet* const first = beam.Packets;
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     const Candidate& candidate = candidates[i];
     this->PrefetchNext(candidates, i);
     const bool isBehindAll = std::all_of(first, first + beam.PacketCount,
-      [&candidate](const PacketOfSet& packet) { return candidate.Near > packet.End; });
+      [&candidate](const PacketInSet& packet) { return candidate.Near > packet.GetEnd(); });
     if (isBehindAll)
     {
       break;
@@ -399,7 +356,7 @@ void FieldSet::TraceMembers(const std::vector<Candidate>& candidates, ThreadBeam
   }
   for (int i = 0; i < beam.PacketCount; ++i)
   {
-    this->JoinHits(beam.Packets[i]);
+    beam.Packets[i].Join(*this, this->Members);
   }
 }
 
@@ -445,21 +402,21 @@ void FieldSet::TraceMember(const Candidate& candidate, ThreadBeam& beam) const
   for (unsigned int left = candidate.Packets; left != 0; left &= left - 1)
   {
     const int number = LowestBit(left);
-    PacketOfSet& packet = beam.Packets[number];
-    if (candidate.Near > packet.End)
+    const PacketInSet& packet = beam.Packets[number];
+    if (candidate.Near > packet.GetEnd())
     {
       continue;
     }
-    Cut(this->Members.GetKernels(), *packet.Rays, box, beam.Inside);
+    Cut(this->Members.GetKernels(), packet.GetRays(), box, beam.Inside);
     const int count = CountOf(beam.Inside.Rays);
     member = count > 0 && !member ? this->Members.Prepare(candidate.Number) : member;
     if (count > 0 && !member)
     {
       return;
     }
-    if (count == CountOf(packet.Rays->Exists))
+    if (count == CountOf(packet.GetRays().Exists))
     {
-      member->Field->MoveRays(*packet.Rays, beam.Inside, member->OwnFromSet, beam.Moved);
+      member->Field->MoveRays(packet.GetRays(), beam.Inside, member->OwnFromSet, beam.Moved);
       this->TraceMoved(
         candidate.Number, beam, [number](int ray) { return std::pair(number, ray); });
       continue;
@@ -468,7 +425,7 @@ void FieldSet::TraceMember(const Candidate& candidate, ThreadBeam& beam) const
     {
       this->TraceGathered(candidate.Number, beam);
     }
-    gathered.Add(number, *packet.Rays, beam.Inside);
+    gathered.Add(number, packet.GetRays(), beam.Inside);
   }
   this->TraceGathered(candidate.Number, beam);
 }
@@ -508,7 +465,7 @@ void FieldSet::TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find
     for (std::size_t k = found.First[ray]; k < found.First[ray + 1]; ++k)
     {
       const auto [packet, place] = find(i);
-      if (this->TakeHit(found.Hits[k], number, place, beam.Packets[packet]))
+      if (beam.Packets[packet].Take(found.Hits[k], number, place, this->Members, this->Reach))
       {
         shortened |= 1U << packet;
       }
@@ -516,131 +473,8 @@ void FieldSet::TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find
   }
   for (; shortened != 0; shortened &= shortened - 1)
   {
-    PacketOfSet& packet = beam.Packets[LowestBit(shortened)];
-    packet.End = FindLargest(packet.Ends);
+    beam.Packets[LowestBit(shortened)].FindEnd();
   }
-}
-
-//------------------------------------------------------------------------------
-/// Takes a hit of a ray with a member, where the ray ends if it is opaque: returns whether it is.
-bool FieldSet::TakeHit(
-  const Hit& hitOfMember, std::size_t number, int ray, PacketOfSet& packet) const
-{
-  RayPacket& rays = *packet.Rays;
-  Hit& hit = packet.Found[ray].emplace_back(hitOfMember);
-  hit.Member = static_cast<int>(number);
-  double depthOfCaps = 0.0;
-  if (hit.Plane != Hit::NoPlane)
-  {
-    hit.Plane -= this->Members.Get(number).OwnHalfSpaces;
-    const auto plane = static_cast<std::size_t>(hit.Plane);
-    // The same for all members with a cap there, whatever their arithmetic.
-    const PlaneCrossing crossing =
-      FindCrossing(this->Members.GetRequest().Visible.HalfSpaces[plane], rays.GetOrigin(ray),
-        rays.GetDirection(ray));
-    hit.T = crossing.T;
-    depthOfCaps = this->Members.GetDepthOfCaps(plane) / std::abs(crossing.Slope);
-  }
-  const bool isOpaque =
-    !this->Members.GetRequest().Projection && this->Members.GetRequest().GetOpacity(hit) >= 1.0;
-  if (isOpaque)
-  {
-    // Another member may have a hit or a cap right there.
-    const Vector3 direction = rays.GetDirection(ray);
-    const double beyond = this->Reach /
-      std::max(std::max(std::abs(direction[0]), std::abs(direction[1])), std::abs(direction[2]));
-    rays.End[ray] = std::min(rays.End[ray], hit.T + std::max(beyond, depthOfCaps));
-    packet.Ends[ray] = rays.Base[ray] + rays.End[ray];
-  }
-  hit.T += rays.Base[ray];
-  return isOpaque;
-}
-
-//------------------------------------------------------------------------------
-bool FieldSet::IsOfEarlierBlock(const Hit& a, const Hit& b) const
-{
-  if (a.Member == b.Member)
-  {
-    return false;
-  }
-  const unsigned int blockOfA = this->Members.Get(a).Source->GetBlock(a);
-  const unsigned int blockOfB = this->Members.Get(b).Source->GetBlock(b);
-  return blockOfA < blockOfB || (blockOfA == blockOfB && a.Member < b.Member);
-}
-
-//------------------------------------------------------------------------------
-/// Puts the hits of each ray in order.
-void FieldSet::JoinHits(PacketOfSet& packet) const
-{
-  RayHits& hits = *packet.Hits;
-  hits.Clear();
-  for (int i = 0; i < packet.Rays->Count; ++i)
-  {
-    std::vector<Hit>& found = packet.Found[i];
-    if (found.size() > 1)
-    {
-      std::stable_sort(found.begin(), found.end(),
-        [this](const Hit& a, const Hit& b)
-        { return a.T < b.T || (a.T == b.T && this->IsOfEarlierBlock(a, b)); });
-      this->DropTwins(packet.Rays->GetDirection(i), found);
-    }
-    if (found.size() == 1)
-    {
-      hits.Hits.push_back(found.front());
-    }
-    else if (this->Members.GetRequest().Projection && !found.empty())
-    {
-      const bool isLargest = this->Members.GetRequest().Projection == Extremum::Largest;
-      const auto extreme = std::min_element(found.begin(), found.end(),
-        [isLargest](const Hit& a, const Hit& b)
-        { return isLargest ? a.Value > b.Value : a.Value < b.Value; });
-      hits.Hits.insert(hits.Hits.end(), extreme, extreme + 1);
-    }
-    else
-    {
-      // What is hidden in the members is not among them.
-      HitCollector collector(*this, hits.Hits);
-      for (const Hit& hit : found)
-      {
-        if (collector.AddVisible(hit))
-        {
-          break;
-        }
-      }
-    }
-    hits.EndRay();
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Boxes overlap by their margins, so that no ray slips through between them. A hit there has a
-/// twin.
-void FieldSet::DropTwins(const Vector3& direction, std::vector<Hit>& found) const
-{
-  const double length = Length(direction);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < found.size(); ++i)
-  {
-    const Hit& hit = found[i];
-    const SetMember& member = this->Members.Get(hit);
-    bool isTwin = false;
-    for (std::size_t k = kept; member.IsSeamless && !isTwin && k-- > 0;)
-    {
-      const SetMember& other = this->Members.Get(found[k]);
-      const double overlap = 2.0 * (member.FindMargin() + other.FindMargin());
-      if ((hit.T - found[k].T) * length > overlap)
-      {
-        break;
-      }
-      isTwin = other.IsSeamless && hit.Member != found[k].Member &&
-        hit.Surface == found[k].Surface && hit.Entering == found[k].Entering;
-    }
-    if (!isTwin)
-    {
-      found[kept++] = hit;
-    }
-  }
-  found.resize(kept);
 }
 
 //------------------------------------------------------------------------------

@@ -73,7 +73,6 @@ private:
 
   class ThreadBeam;
   struct Candidate;
-  struct PacketOfSet;
 
   std::vector<Candidate> FindCandidates(const RayPacket& packet) const;
   void TraceMembers(const std::vector<Candidate>& candidates, ThreadBeam& beam) const;
@@ -82,10 +81,6 @@ private:
   void TraceGathered(std::size_t number, ThreadBeam& beam) const;
   template <typename Find>
   void TraceMoved(std::size_t number, ThreadBeam& beam, const Find& find) const;
-  bool TakeHit(const Hit& hitOfMember, std::size_t number, int ray, PacketOfSet& packet) const;
-  bool IsOfEarlierBlock(const Hit& a, const Hit& b) const;
-  void JoinHits(PacketOfSet& packet) const;
-  void DropTwins(const Vector3& direction, std::vector<Hit>& found) const;
 
   SetMembers Members;
   BoundsTree Tree;
