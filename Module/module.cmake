@@ -22,6 +22,7 @@ set(private_classes
   Filters/vtkIsosurfaceComparisonTime
   Filters/vtkIsosurfaceComparisonTopology
   Rendering/vtkIsosurfaceRayTraceAccumulation
+  Rendering/vtkIsosurfaceRayTraceAmrBlocks
   Rendering/vtkIsosurfaceRayTraceAmrLevels
   Rendering/vtkIsosurfaceRayTraceAmrPart
   Rendering/vtkIsosurfaceRayTraceArrayColors

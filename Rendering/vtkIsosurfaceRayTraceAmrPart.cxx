@@ -3,19 +3,15 @@
 #include "vtkIsosurfaceRayTraceAmrPart.h"
 
 #include "vtkIsosurfaceRayTraceAmrLevels.h"
-#include "vtkIsosurfaceRayTraceBlock.h"
 #include "vtkIsosurfaceRayTraceCropping.h"
-#include "vtkIsosurfaceRayTraceGhosts.h"
 #include "vtkIsosurfaceRayTraceLatticeSampling.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -31,78 +27,7 @@ using Leaf = vtkIsosurfaceRayTraceLeaf;
 /// region makes the samples of all of it.
 constexpr int CellsOfRegion = 32;
 
-/// What the blocks of a region have in common: their opacity, and whether all cells are hidden.
-using BlockKind = std::pair<std::optional<double>, bool>;
-
-bool AreAllHidden(const std::vector<unsigned char>& hidden)
-{
-  return !hidden.empty() && std::find(hidden.begin(), hidden.end(), 0) == hidden.end();
 }
-
-/// The flags of some kinds, for each cell of a block; none if it has no flags.
-std::vector<unsigned char> FindFlags(const Leaf& leaf, int kinds)
-{
-  vtkUnsignedCharArray* flags = leaf.Data->GetCellGhostArray();
-  std::vector<unsigned char> found;
-  for (vtkIdType i = 0; flags && i < flags->GetNumberOfValues(); ++i)
-  {
-    found.push_back((flags->GetValue(i) & kinds) != 0 ? 1 : 0);
-  }
-  return found;
-}
-
-/// Not zero for each cell of a block that is blanked, refined, or has a hidden corner; none if the
-/// block has no flags.
-std::vector<unsigned char> FindHiddenCells(const Leaf& leaf)
-{
-  if (!leaf.Data->GetPointGhostArray())
-  {
-    return FindFlags(leaf, vtkIsosurfaceRayTraceGhosts::Blanked);
-  }
-  const vtkIsosurfaceRayTraceBlock block{ leaf, { 0, 0, 0 } };
-  const vtkirt::Index3 cells = block.GetCells();
-  std::vector<unsigned char> hidden;
-  hidden.reserve(vtkirt::Count(cells));
-  for (int z = 0; z < cells[2]; ++z)
-  {
-    for (int y = 0; y < cells[1]; ++y)
-    {
-      for (int x = 0; x < cells[0]; ++x)
-      {
-        const bool isShown = block.Shows({ x, y, z }, vtkIsosurfaceRayTraceGhosts::Blanked);
-        hidden.push_back(isShown ? 0 : 1);
-      }
-    }
-  }
-  return hidden;
-}
-
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceAmrPart::Block::IsIntact() const
-{
-  vtkDataArray* scalars = this->Leaf.Scalars;
-  const vtkDataArray* colors = this->Leaf.Colors;
-  return scalars->GetVoidPointer(0) == this->Memory &&
-    scalars->GetNumberOfTuples() >= this->NumberOfTuples &&
-    (!colors || colors->GetNumberOfTuples() >= this->Leaf.Data->GetNumberOfPoints());
-}
-
-//------------------------------------------------------------------------------
-struct vtkIsosurfaceRayTraceAmrPart::Hierarchy
-{
-  /// A patch for each block.
-  std::unique_ptr<vtkirt::AmrHierarchy> Patches;
-  std::vector<Block> Blocks;
-  bool OfCells;
-  vtkirt::ImageSettings Settings;
-  vtkVolumeMapper* Cropping;
-  /// Copies of scalars that are not plain arrays in memory, and flags of cells, of each block.
-  std::vector<vtkSmartPointer<vtkDataArray>> PlainScalars;
-  std::vector<std::vector<unsigned char>> GhostCells;
-  std::vector<std::vector<unsigned char>> HiddenCells;
-};
 
 //------------------------------------------------------------------------------
 std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmrPart::MakeParts(
@@ -115,51 +40,10 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
   {
     return parts;
   }
-  const auto whole = std::make_shared<Hierarchy>();
-  whole->OfCells = scalars.AreOfCells;
-  whole->Settings = settings;
-  whole->Settings.Layout = vtkirt::BrickLayout::Unbricked; // The nodes are a copy already.
-  whole->Cropping = cropping;
-  const vtkIsosurfaceRayTraceAmrLevels levels(leaves);
-  std::vector<vtkirt::AmrPatch> patches;
-  std::map<BlockKind, int> kinds;
-  for (const vtkIsosurfaceRayTraceLeaf& leaf : leaves)
-  {
-    vtkirt::AmrPatch patch{};
-    const std::string problem = levels.Place(leaf, patch);
-    if (!problem.empty())
-    {
-      leftOut.Add(leaf, problem);
-      continue;
-    }
-    vtkIsosurfaceRayTraceScalars own = scalars;
-    own.Array = leaf.Scalars;
-    whole->PlainScalars.emplace_back();
-    const auto view = own.MakeView(whole->PlainScalars.back(), threads);
-    patch.Samples = { view.Values, view.Type, patch.Cells, view.Stride };
-    for (int& dimension : patch.Samples.Dimensions)
-    {
-      dimension += scalars.AreOfCells ? 0 : 1;
-    }
-    const auto keep = [](std::vector<unsigned char>&& flags,
-                        std::vector<std::vector<unsigned char>>& ofPatches) -> const unsigned char*
-    {
-      const bool hasAny = std::find(flags.begin(), flags.end(), 1) != flags.end();
-      ofPatches.push_back(hasAny ? std::move(flags) : std::vector<unsigned char>{});
-      return hasAny ? ofPatches.back().data() : nullptr;
-    };
-    patch.GhostCells =
-      keep(FindFlags(leaf, vtkIsosurfaceRayTraceGhosts::Duplicate), whole->GhostCells);
-    patch.HiddenCells = keep(FindHiddenCells(leaf), whole->HiddenCells);
-    const BlockKind kind = { leaf.Display.Opacity, AreAllHidden(whole->HiddenCells.back()) };
-    patch.Kind = kinds.emplace(kind, static_cast<int>(kinds.size())).first->second;
-    patches.push_back(patch);
-    whole->Blocks.push_back(
-      { leaf, leaf.Scalars->GetVoidPointer(0), leaf.Scalars->GetNumberOfTuples() });
-  }
-  whole->Patches = std::make_unique<vtkirt::AmrHierarchy>(
-    levels.GetRatios(), std::move(patches), scalars.AreOfCells);
-  for (vtkirt::AmrRegion& region : whole->Patches->MakeRegions(CellsOfRegion))
+  const auto whole =
+    std::make_shared<vtkIsosurfaceRayTraceAmrBlocks>(leaves, scalars, settings, cropping, threads);
+  whole->AddLeftOut(leftOut);
+  for (vtkirt::AmrRegion& region : whole->GetHierarchy().MakeRegions(CellsOfRegion))
   {
     parts.emplace_back(new vtkIsosurfaceRayTraceAmrPart(std::move(region), whole));
   }
@@ -168,13 +52,13 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceAmrPart::vtkIsosurfaceRayTraceAmrPart(
-  vtkirt::AmrRegion&& region, std::shared_ptr<Hierarchy> whole)
+  vtkirt::AmrRegion&& region, std::shared_ptr<vtkIsosurfaceRayTraceAmrBlocks> whole)
   : Region(std::move(region))
   , Whole(std::move(whole))
 {
   const Leaf& first =
-    this->Whole->Blocks[this->Whole->Patches->FindPatch(this->Region, this->Region.First)].Leaf;
-  const int nodesOfCell = this->Whole->Patches->GetNodesOfCell();
+    this->Whole->GetLeaf(this->Whole->GetHierarchy().FindPatch(this->Region, this->Region.First));
+  const int nodesOfCell = this->Whole->GetHierarchy().GetNodesOfCell();
   const vtkirt::Vector3 spacing = vtkIsosurfaceRayTraceAmrLevels::GetSpacing(first);
   const vtkirt::Vector3 corner = vtkIsosurfaceRayTraceAmrLevels::GetCorner(first);
   vtkNew<vtkImageData> nodes;
@@ -197,7 +81,7 @@ vtkIsosurfaceRayTraceAmrPart::vtkIsosurfaceRayTraceAmrPart(
 /// others their samples alone: they need no nodes.
 bool vtkIsosurfaceRayTraceAmrPart::MayHit(const vtkirt::TraceRequest& request)
 {
-  if (AreAllHidden(this->Whole->HiddenCells[this->Region.Patches.front()]))
+  if (this->Whole->IsAllHidden(this->Region.Patches.front()))
   {
     return false;
   }
@@ -208,7 +92,7 @@ bool vtkIsosurfaceRayTraceAmrPart::MayHit(const vtkirt::TraceRequest& request)
   }
   if (!this->Range)
   {
-    this->Range = this->Whole->Patches->FindRange(this->Region);
+    this->Range = this->Whole->GetHierarchy().FindRange(this->Region);
   }
   return std::any_of(request.Surfaces.begin(), request.Surfaces.end(),
     [this](const vtkirt::Isosurface& surface)
@@ -229,9 +113,10 @@ bool vtkIsosurfaceRayTraceAmrPart::Update(int threads)
   {
     return false;
   }
-  this->Nodes = this->Whole->Patches->MakeNodes(this->Region);
+  this->Nodes = this->Whole->GetHierarchy().MakeNodes(this->Region);
   this->Nodes.Shorten();
-  this->Field = vtkirt::ImageField::New(this->Nodes.GetSamples(), this->Whole->Settings, threads);
+  this->Field =
+    vtkirt::ImageField::New(this->Nodes.GetSamples(), this->Whole->GetSettings(), threads);
   return true;
 }
 
@@ -240,9 +125,9 @@ vtkirt::Visibility vtkIsosurfaceRayTraceAmrPart::FindVisible() const
 {
   vtkirt::Visibility visible;
   visible.HiddenCells = this->Nodes.HiddenCells.empty() ? nullptr : this->Nodes.HiddenCells.data();
-  if (this->Whole->Cropping)
+  if (this->Whole->GetCropping())
   {
-    vtkIsosurfaceRayTraceCropping::Apply(this->Whole->Cropping, this->Geometry, visible);
+    vtkIsosurfaceRayTraceCropping::Apply(this->Whole->GetCropping(), this->Geometry, visible);
   }
   return visible;
 }
@@ -260,7 +145,7 @@ vtkirt::Bounds vtkIsosurfaceRayTraceAmrPart::FindBox() const
   vtkirt::Bounds box = {};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    box.Upper[axis] = this->Whole->Patches->GetNodesOfCell() * this->Region.Cells[axis];
+    box.Upper[axis] = this->Whole->GetHierarchy().GetNodesOfCell() * this->Region.Cells[axis];
   }
   return box;
 }
@@ -268,14 +153,14 @@ vtkirt::Bounds vtkIsosurfaceRayTraceAmrPart::FindBox() const
 //------------------------------------------------------------------------------
 std::optional<double> vtkIsosurfaceRayTraceAmrPart::FindOpacity() const
 {
-  return this->Whole->Blocks[this->Region.Patches.front()].Leaf.Display.Opacity;
+  return this->Whole->GetLeaf(this->Region.Patches.front()).Display.Opacity;
 }
 
 //------------------------------------------------------------------------------
 vtkIsosurfaceRayTraceAmrPart::BlockCell vtkIsosurfaceRayTraceAmrPart::FindBlockCell(
   const vtkirt::Hit& hit) const
 {
-  const int nodesOfCell = this->Whole->Patches->GetNodesOfCell();
+  const int nodesOfCell = this->Whole->GetHierarchy().GetNodesOfCell();
   vtkirt::Index3 cell = this->Field->GetLattice().GetCell(hit);
   vtkirt::Vector3 parametric;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -286,13 +171,13 @@ vtkIsosurfaceRayTraceAmrPart::BlockCell vtkIsosurfaceRayTraceAmrPart::FindBlockC
     parametric[axis] = std::clamp(place - cell[axis], 0.0, 1.0);
     cell[axis] += this->Region.First[axis];
   }
-  const std::size_t number = this->Whole->Patches->FindPatch(this->Region, cell);
-  const vtkirt::AmrPatch& patch = this->Whole->Patches->GetPatch(number);
+  const std::size_t number = this->Whole->GetHierarchy().FindPatch(this->Region, cell);
+  const vtkirt::AmrPatch& patch = this->Whole->GetHierarchy().GetPatch(number);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     cell[axis] -= patch.First[axis];
   }
-  return { this->Whole->Blocks[number].Leaf, patch.Cells, cell, parametric };
+  return { this->Whole->GetLeaf(number), patch.Cells, cell, parametric };
 }
 
 //------------------------------------------------------------------------------
@@ -348,7 +233,7 @@ void vtkIsosurfaceRayTraceAmrPart::SampleColors(
 bool vtkIsosurfaceRayTraceAmrPart::IsIntact() const
 {
   return std::all_of(this->Region.Patches.begin(), this->Region.Patches.end(),
-    [this](std::size_t block) { return this->Whole->Blocks[block].IsIntact(); });
+    [this](std::size_t block) { return this->Whole->IsIntact(block); });
 }
 
 //------------------------------------------------------------------------------
@@ -356,7 +241,7 @@ void vtkIsosurfaceRayTraceAmrPart::AddObjects(std::vector<vtkObject*>& objects) 
 {
   for (const std::size_t block : this->Region.Patches)
   {
-    const Leaf& leaf = this->Whole->Blocks[block].Leaf;
+    const Leaf& leaf = this->Whole->GetLeaf(block);
     objects.insert(objects.end(), { leaf.Data, leaf.Scalars, leaf.Colors });
   }
 }

@@ -6,11 +6,12 @@
 #ifndef vtkIsosurfaceRayTraceAmrPart_h
 #define vtkIsosurfaceRayTraceAmrPart_h
 
-#include "vtkIsosurfaceRayTraceGeometry.h" // for ivars
-#include "vtkIsosurfaceRayTraceLeaves.h"   // for ivars
-#include "vtkIsosurfaceRayTracePart.h"     // for base class
-#include "vtkIsosurfaceRayTraceScalars.h"  // for ivars
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkIsosurfaceRayTraceAmrBlocks.h" // for ivars
+#include "vtkIsosurfaceRayTraceGeometry.h"  // for ivars
+#include "vtkIsosurfaceRayTraceLeaves.h"    // for ivars
+#include "vtkIsosurfaceRayTracePart.h"      // for base class
+#include "vtkIsosurfaceRayTraceScalars.h"   // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"  // for VTK_ABI_NAMESPACE_BEGIN
 
 #include "Amr/AmrHierarchy.h"
 #include "Image/ImageField.h"
@@ -59,19 +60,6 @@ public:
   void AddObjects(std::vector<vtkObject*>& objects) const override;
 
 private:
-  /// A block, and what its scalars were when they were selected.
-  struct Block
-  {
-    vtkIsosurfaceRayTraceLeaf Leaf;
-    const void* Memory;
-    vtkIdType NumberOfTuples;
-
-    bool IsIntact() const;
-  };
-
-  /// What the parts of a data set share.
-  struct Hierarchy;
-
   /// A cell of a block that a hit is in.
   struct BlockCell
   {
@@ -82,12 +70,13 @@ private:
     vtkIsosurfaceRayTracing::Vector3 Parametric;
   };
 
-  vtkIsosurfaceRayTraceAmrPart(
-    vtkIsosurfaceRayTracing::AmrRegion&& region, std::shared_ptr<Hierarchy> whole);
+  vtkIsosurfaceRayTraceAmrPart(vtkIsosurfaceRayTracing::AmrRegion&& region,
+    std::shared_ptr<vtkIsosurfaceRayTraceAmrBlocks> whole);
   BlockCell FindBlockCell(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
   vtkIsosurfaceRayTracing::AmrRegion Region;
-  std::shared_ptr<Hierarchy> Whole;
+  /// The parts of a data set share it.
+  std::shared_ptr<vtkIsosurfaceRayTraceAmrBlocks> Whole;
   /// Of the nodes.
   vtkIsosurfaceRayTraceGeometry Geometry;
   /// None before it is asked for first.

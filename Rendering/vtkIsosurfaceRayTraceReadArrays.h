@@ -15,44 +15,60 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+/// An array, and what it was when it was read first.
+class vtkIsosurfaceRayTraceReadArray
+{
+public:
+  explicit vtkIsosurfaceRayTraceReadArray(vtkDataArray* array)
+    : Array(array)
+    , Memory(array->GetVoidPointer(0))
+    , Values(array->GetNumberOfValues())
+  {
+  }
+
+  vtkDataArray* GetArray() const { return this->Array; }
+  const void* GetMemory() const { return this->Memory; }
+
+  /// Whether it is where it was, and as long.
+  bool IsIntact() const
+  {
+    return this->Array->GetVoidPointer(0) == this->Memory &&
+      this->Array->GetNumberOfValues() >= this->Values;
+  }
+
+private:
+  vtkDataArray* Array;
+  const void* Memory;
+  vtkIdType Values;
+};
+
 class vtkIsosurfaceRayTraceReadArrays
 {
 public:
   /// Returns the memory of an array.
   const void* Read(vtkDataArray* array)
   {
-    this->Arrays.push_back({ array, array->GetVoidPointer(0), array->GetNumberOfValues() });
-    return this->Arrays.back().Memory;
+    this->Arrays.emplace_back(array);
+    return this->Arrays.back().GetMemory();
   }
 
   /// Whether all are where they were, and as long.
   bool AreIntact() const
   {
     return std::all_of(this->Arrays.begin(), this->Arrays.end(),
-      [](const ReadArray& read)
-      {
-        return read.Array->GetVoidPointer(0) == read.Memory &&
-          read.Array->GetNumberOfValues() >= read.Values;
-      });
+      [](const vtkIsosurfaceRayTraceReadArray& read) { return read.IsIntact(); });
   }
 
   void AddObjects(std::vector<vtkObject*>& objects) const
   {
-    for (const ReadArray& read : this->Arrays)
+    for (const vtkIsosurfaceRayTraceReadArray& read : this->Arrays)
     {
-      objects.push_back(read.Array);
+      objects.push_back(read.GetArray());
     }
   }
 
 private:
-  struct ReadArray
-  {
-    vtkDataArray* Array;
-    const void* Memory;
-    vtkIdType Values;
-  };
-
-  std::vector<ReadArray> Arrays;
+  std::vector<vtkIsosurfaceRayTraceReadArray> Arrays;
 };
 
 VTK_ABI_NAMESPACE_END
