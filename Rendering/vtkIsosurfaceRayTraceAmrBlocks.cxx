@@ -64,6 +64,14 @@ std::vector<unsigned char> FindHiddenCells(const Leaf& leaf)
   return hidden;
 }
 
+/// The nodes are a copy already.
+vtkirt::ImageSettings ForNodes(const vtkirt::ImageSettings& settings)
+{
+  vtkirt::ImageSettings ofNodes = settings;
+  ofNodes.Layout = vtkirt::BrickLayout::Unbricked;
+  return ofNodes;
+}
+
 /// Keeps the flags of a patch, if any is set: a pointer to them, or null.
 const unsigned char* Keep(
   std::vector<unsigned char>&& flags, std::vector<std::vector<unsigned char>>& ofPatches)
@@ -80,10 +88,11 @@ vtkIsosurfaceRayTraceAmrBlocks::vtkIsosurfaceRayTraceAmrBlocks(const std::vector
   const vtkIsosurfaceRayTraceScalars& scalars, const vtkirt::ImageSettings& settings,
   vtkVolumeMapper* cropping, int threads)
   : Leaves(leaves)
-  , Settings(settings)
+  , Component(scalars.Component)
+  , HasOtherComponents(scalars.HasOthers)
+  , Settings(ForNodes(settings))
   , Cropping(cropping)
 {
-  this->Settings.Layout = vtkirt::BrickLayout::Unbricked; // The nodes are a copy already.
   const vtkIsosurfaceRayTraceAmrLevels levels(leaves);
   std::vector<vtkirt::AmrPatch> patches;
   for (std::size_t i = 0; i < leaves.size(); ++i)
@@ -97,9 +106,9 @@ vtkIsosurfaceRayTraceAmrBlocks::vtkIsosurfaceRayTraceAmrBlocks(const std::vector
       patches.push_back(patch);
     }
   }
-  this->SetKinds(patches);
   this->Hierarchy = std::make_unique<vtkirt::AmrHierarchy>(
     levels.GetRatios(), std::move(patches), scalars.AreOfCells);
+  this->SetKinds();
 }
 
 //------------------------------------------------------------------------------
@@ -126,14 +135,36 @@ void vtkIsosurfaceRayTraceAmrBlocks::SetSamples(const Leaf& leaf,
 }
 
 //------------------------------------------------------------------------------
-void vtkIsosurfaceRayTraceAmrBlocks::SetKinds(std::vector<vtkirt::AmrPatch>& patches) const
+void vtkIsosurfaceRayTraceAmrBlocks::SetKinds()
 {
   std::map<BlockKind, int> kinds;
-  for (std::size_t i = 0; i < patches.size(); ++i)
+  for (std::size_t i = 0; i < this->LeafOfPatch.size(); ++i)
   {
     const BlockKind kind = { this->GetLeaf(i).Display.Opacity, this->IsAllHidden(i) };
-    patches[i].Kind = kinds.emplace(kind, static_cast<int>(kinds.size())).first->second;
+    this->Hierarchy->SetKind(i, kinds.emplace(kind, static_cast<int>(kinds.size())).first->second);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceAmrBlocks::IsOf(const std::vector<Leaf>& leaves,
+  const vtkIsosurfaceRayTraceScalars& scalars, const vtkirt::ImageSettings& settings,
+  vtkVolumeMapper* cropping) const
+{
+  const bool areSameLeaves =
+    std::equal(leaves.begin(), leaves.end(), this->Leaves.begin(), this->Leaves.end(),
+      [](const Leaf& a, const Leaf& b) { return a.Data == b.Data && a.Scalars == b.Scalars; });
+  return areSameLeaves && scalars.Component == this->Component &&
+    scalars.HasOthers == this->HasOtherComponents && ForNodes(settings) == this->Settings &&
+    cropping == this->Cropping &&
+    std::all_of(this->Read.begin(), this->Read.end(),
+      [](const vtkIsosurfaceRayTraceReadArray& read) { return read.IsIntact(); });
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfaceRayTraceAmrBlocks::SetLeaves(const std::vector<Leaf>& leaves)
+{
+  this->Leaves = leaves;
+  this->SetKinds();
 }
 
 //------------------------------------------------------------------------------

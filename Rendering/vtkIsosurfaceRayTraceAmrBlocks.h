@@ -39,6 +39,14 @@ public:
   vtkIsosurfaceRayTraceAmrBlocks(const vtkIsosurfaceRayTraceAmrBlocks&) = delete;
   void operator=(const vtkIsosurfaceRayTraceAmrBlocks&) = delete;
 
+  /// Whether it is what would be made of blocks that have not been modified since, but for how they
+  /// are displayed.
+  bool IsOf(const std::vector<Leaf>& leaves, const vtkIsosurfaceRayTraceScalars& scalars,
+    const vtkIsosurfaceRayTracing::ImageSettings& settings, vtkVolumeMapper* cropping) const;
+
+  /// Takes the same blocks, which may be displayed in another way. Regions are to be made again.
+  void SetLeaves(const std::vector<Leaf>& leaves);
+
   /// Tells what is wrong with blocks that have no patch.
   void AddLeftOut(vtkIsosurfaceRayTraceLeftOut& leftOut) const;
 
@@ -60,12 +68,15 @@ public:
 private:
   void SetSamples(const Leaf& leaf, const vtkIsosurfaceRayTraceScalars& scalars, int threads,
     vtkIsosurfaceRayTracing::AmrPatch& patch);
-  void SetKinds(std::vector<vtkIsosurfaceRayTracing::AmrPatch>& patches) const;
+  void SetKinds();
 
   /// All blocks, why they have no patch (empty if they have), and which of them patches are of.
   std::vector<Leaf> Leaves;
   std::vector<std::string> Problems;
   std::vector<std::size_t> LeafOfPatch;
+  /// What the samples were selected by, and the settings of fields.
+  int Component;
+  bool HasOtherComponents;
   vtkIsosurfaceRayTracing::ImageSettings Settings;
   vtkVolumeMapper* Cropping;
   /// Of each patch: its scalars; copies of those that are not plain arrays in memory; flags of its

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <unordered_map>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -33,6 +34,7 @@ constexpr int CellsOfRegion = 32;
 std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmrPart::MakeParts(
   const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves, const vtkIsosurfaceRayTraceScalars& scalars,
   const vtkirt::ImageSettings& settings, vtkVolumeMapper* cropping, int threads,
+  std::vector<std::unique_ptr<vtkIsosurfaceRayTraceAmrPart>>&& former,
   vtkIsosurfaceRayTraceLeftOut& leftOut)
 {
   std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> parts;
@@ -40,12 +42,36 @@ std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> vtkIsosurfaceRayTraceAmr
   {
     return parts;
   }
-  const auto whole =
-    std::make_shared<vtkIsosurfaceRayTraceAmrBlocks>(leaves, scalars, settings, cropping, threads);
+  std::shared_ptr<vtkIsosurfaceRayTraceAmrBlocks> whole;
+  // By the first of their patches, of which each is in one region.
+  std::unordered_map<std::size_t, std::unique_ptr<vtkIsosurfaceRayTraceAmrPart>> known;
+  for (std::unique_ptr<vtkIsosurfaceRayTraceAmrPart>& part : former)
+  {
+    whole = part->Whole;
+    known[part->Region.Patches.front()] = std::move(part);
+  }
+  if (whole && whole->IsOf(leaves, scalars, settings, cropping))
+  {
+    whole->SetLeaves(leaves);
+  }
+  else
+  {
+    known.clear();
+    whole = std::make_shared<vtkIsosurfaceRayTraceAmrBlocks>(
+      leaves, scalars, settings, cropping, threads);
+  }
   whole->AddLeftOut(leftOut);
   for (vtkirt::AmrRegion& region : whole->GetHierarchy().MakeRegions(CellsOfRegion))
   {
-    parts.emplace_back(new vtkIsosurfaceRayTraceAmrPart(std::move(region), whole));
+    const auto found = known.find(region.Patches.front());
+    if (found != known.end() && found->second->Region.Patches == region.Patches)
+    {
+      parts.push_back(std::move(found->second));
+    }
+    else
+    {
+      parts.emplace_back(new vtkIsosurfaceRayTraceAmrPart(std::move(region), whole));
+    }
   }
   return parts;
 }

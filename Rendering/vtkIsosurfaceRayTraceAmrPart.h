@@ -29,11 +29,13 @@ class vtkIsosurfaceRayTraceAmrPart final : public vtkIsosurfaceRayTracePart
 {
 public:
   /// Makes the parts of blocks, which must have no problem but those of their places. The mapper
-  /// that crops may be null.
+  /// that crops may be null. Former parts are those of blocks that have not been modified since;
+  /// they are taken where only the display of blocks is another.
   static std::vector<std::unique_ptr<vtkIsosurfaceRayTracePart>> MakeParts(
     const std::vector<vtkIsosurfaceRayTraceLeaf>& leaves,
     const vtkIsosurfaceRayTraceScalars& scalars,
     const vtkIsosurfaceRayTracing::ImageSettings& settings, vtkVolumeMapper* cropping, int threads,
+    std::vector<std::unique_ptr<vtkIsosurfaceRayTraceAmrPart>>&& former,
     vtkIsosurfaceRayTraceLeftOut& leftOut);
 
   bool MayHit(const vtkIsosurfaceRayTracing::TraceRequest& request) override;

@@ -42,6 +42,7 @@ namespace
 {
 
 using Leaf = vtkIsosurfaceRayTraceLeaf;
+using LeavesChange = vtkIsosurfaceRayTraceLeaves::Change;
 
 /// Takes a part from those of some data; null if none is wanted.
 template <typename Part, typename Function>
@@ -58,6 +59,21 @@ std::unique_ptr<Part> TakePart(std::multimap<vtkDataSet*, std::unique_ptr<Part>>
   std::unique_ptr<Part> part = std::move(found->second);
   parts.erase(found);
   return part;
+}
+
+using AmrParts = std::vector<std::unique_ptr<vtkIsosurfaceRayTraceAmrPart>>;
+
+template <typename Part>
+AmrParts TakeAmrParts(std::multimap<vtkDataSet*, std::unique_ptr<Part>>& parts)
+{
+  AmrParts taken;
+  while (std::unique_ptr<Part> part = TakePart(parts, nullptr,
+           [](const Part& each)
+           { return dynamic_cast<const vtkIsosurfaceRayTraceAmrPart*>(&each) != nullptr; }))
+  {
+    taken.emplace_back(static_cast<vtkIsosurfaceRayTraceAmrPart*>(part.release()));
+  }
+  return taken;
 }
 
 constexpr vtkirt::Matrix4 Identity = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
@@ -153,8 +169,8 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
   const bool isSameChoice = scalars.Component == this->Component &&
     scalars.HasOthers == this->HasOtherComponents && settings.Image == this->ImageSettings;
   // Thousands of blocks are not put in order again for every frame.
-  const bool areSameParts = this->AreSameLeaves && this->ArePartsKept && isSameChoice &&
-    this->ArePartsIntact(settings.Threads);
+  const bool areSameParts = this->ChangeOfLeaves == LeavesChange::None && this->ArePartsKept &&
+    isSameChoice && this->ArePartsIntact(settings.Threads);
   if (!areSameParts)
   {
     this->Objects = nullptr;
@@ -172,6 +188,7 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
         return vtkImageData::SafeDownCast(leaf.Data) ||
           vtkIsosurfaceRayTraceMeshPart::IsMesh(leaf.Data);
       });
+    this->ChangeOfLeaves = LeavesChange::None;
     this->Component = scalars.Component;
     this->HasOtherComponents = scalars.HasOthers;
     this->ImageSettings = settings.Image;
@@ -244,13 +261,12 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   vtkDataObject* input = this->GetData();
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   this->IsComposite = composite != nullptr;
-  this->AreSameLeaves = false;
   this->Attributes = settings.Attributes;
   const std::string colors = settings.ColorImage ? "" : settings.ColorArrayName;
   if (composite)
   {
-    this->AreSameLeaves =
-      this->Leaves.Collect(composite, this->Mapper, colors, settings.Attributes, settings.Threads);
+    this->ChangeOfLeaves = std::max(this->ChangeOfLeaves,
+      this->Leaves.Collect(composite, this->Mapper, colors, settings.Attributes, settings.Threads));
     const std::string problem = this->Leaves.GetLeftOut().Describe();
     if (!this->Leaves.Get().empty() || (problem.empty() && this->Leaves.AreSomeHidden()))
     {
@@ -272,6 +288,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
       ". Give a " + settings.Kinds +
       " or composite data of them with SetInputData, SetInputDataObject or SetInputConnection.";
   }
+  this->ChangeOfLeaves = LeavesChange::OfAnything;
   this->Leaves.Take(data, this->Mapper, colors);
   return this->Leaves.Get().front().Scalars
     ? ""
@@ -368,8 +385,13 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
     // From VTK 9.6 on, blocks may be rectilinear: they have no levels, and are traced as in others.
     const auto rectilinear = std::stable_partition(grids.begin(), grids.end(),
       [](const Leaf& leaf) { return vtkImageData::SafeDownCast(leaf.Data) != nullptr; });
+    AmrParts former;
+    if (this->ChangeOfLeaves != LeavesChange::OfAnything)
+    {
+      former = TakeAmrParts(before);
+    }
     this->Parts = vtkIsosurfaceRayTraceAmrPart::MakeParts({ grids.begin(), rectilinear }, scalars,
-      settings.Image, settings.Cropping, settings.Threads, this->LeftOut);
+      settings.Image, settings.Cropping, settings.Threads, std::move(former), this->LeftOut);
     grids.erase(grids.begin(), rectilinear);
   }
   for (const std::vector<Leaf>& leaves : vtkIsosurfaceRayTraceLattices::Group(grids))

@@ -236,9 +236,10 @@ private:
   int NumberOfEagerParts = 0;
   std::vector<Part*> UnreadParts;
   bool AtCoarse = false;
-  /// Whether leaves are as they were for the last selection, and parts the same if they are; what
-  /// else these were selected by.
-  bool AreSameLeaves = false;
+  /// What of the leaves has changed since parts were last selected, and whether these are the same
+  /// if nothing has; what else they were selected by.
+  vtkIsosurfaceRayTraceLeaves::Change ChangeOfLeaves =
+    vtkIsosurfaceRayTraceLeaves::Change::OfAnything;
   bool ArePartsKept = false;
   /// Those of the parts that are kept; else null.
   std::shared_ptr<const std::vector<vtkSmartPointer<vtkObject>>> Objects;

@@ -103,14 +103,16 @@ std::string vtkIsosurfaceRayTraceLeftOut::Describe() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
+vtkIsosurfaceRayTraceLeaves::Change vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
   vtkAbstractVolumeMapper* mapper, const std::string& colorArrayName,
   vtkCompositeDataDisplayAttributes* attributes, int threads)
 {
   const vtkMTimeType mapperTime = mapper->vtkObject::GetMTime();
-  if (mapperTime == this->MapperTime && this->Collected.IsOf(input, attributes, threads))
+  const bool areSameBlocks =
+    mapperTime == this->MapperTime && this->Collected.IsOfBlocks(input, threads);
+  if (areSameBlocks && this->Collected.IsOfAttributes(attributes))
   {
-    return true;
+    return Change::None;
   }
   this->Collected = {};
   this->LeftOut = {};
@@ -159,7 +161,7 @@ bool vtkIsosurfaceRayTraceLeaves::Collect(vtkCompositeDataSet* input,
   }
   this->Collected = { input, attributes };
   this->MapperTime = mapperTime;
-  return false;
+  return areSameBlocks ? Change::OfDisplay : Change::OfAnything;
 }
 
 //------------------------------------------------------------------------------

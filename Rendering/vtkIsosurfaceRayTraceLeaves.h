@@ -74,10 +74,18 @@ class vtkIsosurfaceRayTraceLeaves
 public:
   using Leaf = vtkIsosurfaceRayTraceLeaf;
 
+  /// What is not as it was: nothing, how blocks are displayed, or anything.
+  enum class Change
+  {
+    None,
+    OfDisplay,
+    OfAnything
+  };
+
   /// Finds the blocks that are visible, have a volume and the scalars of a mapper. Others are
-  /// passed over. What is wrong with a block is told, and the block left out. Returns whether
-  /// mapper and blocks are as they were before, and so all that is known of them.
-  bool Collect(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper,
+  /// passed over. What is wrong with a block is told, and the block left out. Returns what has
+  /// changed: if nothing, all that is known of blocks is as it was.
+  Change Collect(vtkCompositeDataSet* input, vtkAbstractVolumeMapper* mapper,
     const std::string& colorArrayName, vtkCompositeDataDisplayAttributes* attributes, int threads);
 
   /// Takes a data set by itself. Its scalars may be null.

@@ -113,8 +113,20 @@ vtkIsosurfaceRayTraceSnapshot::Block vtkIsosurfaceRayTraceSnapshot::MakeBlock(
 bool vtkIsosurfaceRayTraceSnapshot::IsOf(
   vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes, int threads) const
 {
-  return GetTime(attributes) == this->DisplayTime && this->HasBlocksOf(data) &&
-    this->AreBlocksUnmodified(threads);
+  return this->IsOfAttributes(attributes) && this->IsOfBlocks(data, threads);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceSnapshot::IsOfBlocks(vtkCompositeDataSet* data, int threads) const
+{
+  return this->HasBlocksOf(data) && this->AreBlocksUnmodified(threads);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceSnapshot::IsOfAttributes(
+  vtkCompositeDataDisplayAttributes* attributes) const
+{
+  return GetTime(attributes) == this->DisplayTime;
 }
 
 //------------------------------------------------------------------------------

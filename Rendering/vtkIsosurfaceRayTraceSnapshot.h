@@ -34,6 +34,12 @@ public:
   bool IsOf(
     vtkCompositeDataSet* data, vtkCompositeDataDisplayAttributes* attributes, int threads) const;
 
+  ///@{
+  /// The same of the blocks alone, and of the attributes.
+  bool IsOfBlocks(vtkCompositeDataSet* data, int threads) const;
+  bool IsOfAttributes(vtkCompositeDataDisplayAttributes* attributes) const;
+  ///@}
+
 private:
   struct Node
   {

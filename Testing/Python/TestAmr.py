@@ -297,6 +297,58 @@ class TestAmr(unittest.TestCase):
                 self.assertAlmostEqual(pulse, 0.2, delta=0.2)
         self.assertGreater(shown, 20)
 
+    def test_what_is_built_is_kept_where_only_the_display_of_blocks_changes(self):
+        camera = vtkCamera()
+        camera.SetPosition(-12.0, -5.0, -9.0)
+        camera.SetFocalPoint(4.0, 4.0, 4.0)
+        camera.SetClippingRange(1.0, 60.0)
+
+        def draw(mapper, volume):
+            picture = vtkImageData()
+            self.assertTrue(mapper.RenderToImage(volume, camera, None, 100, 100, picture))
+            return bytes(memoryview(picture.GetPointData().GetArray("Colors")))
+
+        cubes = [(0, (x, y, z), (4, 4, 4)) for z in (0, 4) for y in (0, 4) for x in (0, 4)]
+        for of_cells, blocks in itertools.product((False, True), (NESTED, cubes)):
+            amr = vtkOverlappingAMR()
+            grids = fill(amr, blocks, of_cells)
+            attributes = vtkCompositeDataDisplayAttributes()
+
+            def make(amr=amr, attributes=attributes):
+                mapper, volume = make_mapper(amr, opacity=1.0)
+                mapper.SetCompositeDataDisplayAttributes(attributes)
+                return mapper, volume
+
+            def modify_scalars(grids=grids, of_cells=of_cells):
+                scalars = (grids[1].GetCellData() if of_cells else grids[1].GetPointData()).GetScalars()
+                for i in range(scalars.GetNumberOfValues()):
+                    scalars.SetValue(i, scalars.GetValue(i) - 0.5)
+                scalars.Modified()
+                attributes.SetBlockColor(grids[2], (0.0, 1.0, 1.0))
+
+            mapper, volume = make()
+            before = draw(mapper, volume)
+            # The cubes are traced as one, but for those of another opacity.
+            are_apart = blocks is NESTED
+            for is_kept, change in (
+                (True, lambda a=attributes, g=grids: a.SetBlockColor(g[1], (1.0, 0.0, 0.0))),
+                (are_apart, lambda a=attributes, g=grids: a.SetBlockOpacity(g[3], 0.4)),
+                (True, lambda a=attributes, g=grids: a.SetBlockOpacity(g[3], 0.6)),
+                (False, lambda a=attributes, g=grids: a.SetBlockVisibility(g[0], False)),
+                (False, lambda a=attributes, g=grids: a.SetBlockVisibility(g[0], True)),
+                (False, modify_scalars),
+            ):
+                with self.subTest(of_cells=of_cells, blocks=len(blocks), is_kept=is_kept):
+                    built = mapper.GetMacrocellMemory()
+                    change()
+                    # A ray that meets nothing has nothing built.
+                    cast(mapper, volume, [((-1.0, -1.0, -1.0), (-1.0, 0.0, 0.0))])
+                    self.assertEqual(mapper.GetMacrocellMemory() == built, is_kept)
+                    picture = draw(mapper, volume)
+                    self.assertTrue(picture == draw(*make()))
+                    self.assertFalse(picture == before)
+                    before = picture
+
     def test_bounds_of_visible_blocks(self):
         amr = vtkOverlappingAMR()
         coarse, fine, *_ = fill(amr, NESTED, of_cells=False)

@@ -44,6 +44,9 @@ public:
 
   const AmrPatch& GetPatch(std::size_t number) const { return this->Patches.Get(number); }
 
+  /// Regions that were made before stay what they are.
+  void SetKind(std::size_t number, int kind) { this->Patches.SetKind(number, kind); }
+
   /// See MakeAmrRegions.
   std::vector<AmrRegion> MakeRegions(int cells) const
   {

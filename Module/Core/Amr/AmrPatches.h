@@ -93,6 +93,7 @@ public:
 
   std::size_t GetCount() const { return this->All.size(); }
   const AmrPatch& Get(std::size_t number) const { return this->All[number]; }
+  void SetKind(std::size_t number, int kind) { this->All[number].Kind = kind; }
 
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
   const Level& GetLevel(int level) const { return this->Levels[static_cast<std::size_t>(level)]; }
