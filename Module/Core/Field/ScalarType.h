@@ -25,6 +25,9 @@ enum class ScalarType
   Float64
 };
 
+/// The number of types.
+constexpr int NumberOfScalarTypes = static_cast<int>(ScalarType::Float64) + 1;
+
 /// The name of type T.
 template <typename T>
 constexpr ScalarType ScalarTypeOf()

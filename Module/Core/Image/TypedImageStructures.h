@@ -24,6 +24,9 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+// Kernels, which do not know ScalarType, have their functions in its order.
+static_assert(Kernels::ScalarTypes == NumberOfScalarTypes);
+
 template <typename T, typename Layout>
 class TypedImageStructures final : public ImageStructures
 {

@@ -233,6 +233,10 @@ struct Phong
 /// operations in the same order, and give the same bits.
 struct Kernels
 {
+  /// The number of types of samples. Where there is a function for each, it has the number of its
+  /// ScalarType.
+  static constexpr int ScalarTypes = 10;
+
   /// Makes a ray for every pixel of a block, row by row, exactly as Camera::GetRay and ClipToVolume
   /// do.
   void (*MakeRays)(const PixelBlock& block, RayPacket& packet);
@@ -286,24 +290,25 @@ struct Kernels
   /// candidates, and marks the passages and the rays that surely hit it: hits[0] where values fall
   /// along the axis, hits[1] where they rise. Corners are kept in rows; strides are the distances
   /// between neighbours along each axis, in values. One for every ScalarType.
-  void (*ClassifyCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
-    const ScaledIsovalue& isovalue, Passages& passages, Candidates& candidates, RaySet hits[2]);
+  void (*ClassifyCells[ScalarTypes])(const PassedCells& cells, int axis,
+    const std::ptrdiff_t strides[3], const ScaledIsovalue& isovalue, Passages& passages,
+    Candidates& candidates, RaySet hits[2]);
 
   /// Finds the lowest and the highest corners of cells, rounded to floats; there is room for
   /// PassedCells::Capacity of each. Strides are as for ClassifyCells. One for every ScalarType.
-  void (*FindRanges[10])(
+  void (*FindRanges[ScalarTypes])(
     const PassedCells& cells, const std::ptrdiff_t strides[3], float* lowest, float* highest);
 
   /// Bounds the largest values of rays in cells in single precision, or those of the negated
   /// values: none is above the bound, which is NaN or infinite where nothing is known. There is
   /// room for PassedCells::Capacity of them; strides are as for ClassifyCells. One for every
   /// ScalarType.
-  void (*BoundCells[10])(const PassedCells& cells, int axis, const std::ptrdiff_t strides[3],
-    bool areNegated, const Passages& passages, float* bounds);
+  void (*BoundCells[ScalarTypes])(const PassedCells& cells, int axis,
+    const std::ptrdiff_t strides[3], bool areNegated, const Passages& passages, float* bounds);
 
   /// Loads the corners of candidates from rows; strides are as for ClassifyCells. One for every
   /// ScalarType.
-  void (*LoadCorners[10])(const std::ptrdiff_t strides[3], Candidates& candidates);
+  void (*LoadCorners[ScalarTypes])(const std::ptrdiff_t strides[3], Candidates& candidates);
 
   /// Finds the first root in the cell of each candidate, exactly as Robust::ForEachRoot does.
   void (*Solve)(const RayPacket& packet, const Candidates& candidates, const LatticePlanes* planes,
@@ -316,8 +321,8 @@ struct Kernels
 
   /// Interpolates the central differences at the corners of cells, which makes the gradients of
   /// NormalMode::CentralDifferences. Strides are those of Samples. One for every ScalarType.
-  void (*InterpolateDifferences[10])(const InnerCells& cells, const std::ptrdiff_t strides[3],
-    double (*gradients)[RayPacket::Capacity]);
+  void (*InterpolateDifferences[ScalarTypes])(const InnerCells& cells,
+    const std::ptrdiff_t strides[3], double (*gradients)[RayPacket::Capacity]);
 
   /// Shades hits, exactly as Shader::Shade does.
   void (*Shade)(const Phong& phong, ShadedHits& hits);
@@ -329,7 +334,7 @@ struct Kernels
 
   /// Includes a row of samples in the smallest and the largest so far at each index; see
   /// ValueRange. One for every ScalarType.
-  void (*IncludeRow[10])(const void* row, void* low, void* high, std::ptrdiff_t count);
+  void (*IncludeRow[ScalarTypes])(const void* row, void* low, void* high, std::ptrdiff_t count);
 
   /// Finds the frames of rays, as RayFrame does, and the rays of a beam, of which the places are
   /// given.
@@ -364,7 +369,7 @@ struct Kernels
 
   /// Finds the extents of cells, given the ids of their corners, 4 or 8 of each. One for every
   /// ScalarType of values.
-  void (*FindExtents[10])(const PointArrays& arrays, const std::int64_t* ids, int corners,
+  void (*FindExtents[ScalarTypes])(const PointArrays& arrays, const std::int64_t* ids, int corners,
     int count, CellExtents& extents);
 
   /// Finds the gradients in tetrahedra, given their corners: coordinates and value.
