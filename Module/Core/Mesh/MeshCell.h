@@ -4,6 +4,7 @@
 #ifndef MeshCell_h
 #define MeshCell_h
 
+#include "Kernels/MeshCellArrays.h"
 #include "Math/TrilinearCell.h"
 #include "Mesh/MeshView.h"
 
@@ -19,7 +20,7 @@ namespace vtkIsosurfaceRayTracing
 {
 
 /// The largest numbers of corners and of faces of a cell, and of corners of a face.
-constexpr int MaximumCorners = 8;
+constexpr int MaximumCorners = PassedCellRecords::Corners;
 constexpr int MaximumFaces = 6;
 constexpr int MaximumFaceCorners = 4;
 
