@@ -16,15 +16,29 @@ namespace vtkIsosurfaceRayTracing
 namespace
 {
 
+/// The volume that the rows of a Jacobian span, as a part of the product of their lengths, is 0 for
+/// a ray in the surface, but for rounding: some 1e-16, and more in cells that are nearly flat.
+constexpr double LeastVolume = 1e-8;
+
+/// More than what rounding may move solutions by: in parametric coordinates, and along the ray as a
+/// part of the extent of the cell.
+constexpr double Slack = 1e-9;
+
+/// How far rounding may move a solution in a cell where it is not certain, in parametric
+/// coordinates or as a part of the way of the ray through it: where values are next to nothing. It
+/// is the distance by which solutions that are certain are clear of the faces
+/// (TrilinearHits::LeastClearance).
+constexpr double UncertainSlack = 1e-6;
+
 /// Whether a solution is within the cell and a point of its own, clearly: neither on the border nor
 /// one of many (a ray in the surface).
 bool IsIsolated(const Vector3& solution, const TrilinearSystem& system)
 {
   const std::array<Vector3, 3> rows = system.GetJacobian(solution);
   const double volume = std::abs(Dot(rows[0], Cross(rows[1], rows[2])));
-  return volume > 1e-8 * Length(rows[0]) * Length(rows[1]) * Length(rows[2]) &&
+  return volume > LeastVolume * Length(rows[0]) * Length(rows[1]) * Length(rows[2]) &&
     std::all_of(
-      solution.begin(), solution.end(), [](double x) { return x > 1e-9 && x < 1.0 - 1e-9; });
+      solution.begin(), solution.end(), [](double x) { return x > Slack && x < 1.0 - Slack; });
 }
 
 /// Loads a cell for TrilinearSearch.
@@ -47,11 +61,10 @@ struct CornersOfCell
   }
 };
 
-/// Whether the surface passes a point of a cell, up to a distance. Where values are next to nothing
-/// on a face, what is a solution but for rounding may be none.
+/// Whether the surface passes near to a point of a cell. Where values are next to nothing on a
+/// face, what is a solution but for rounding may be none.
 bool IsPassed(const CellCorners& differences, const Vector3& point)
 {
-  constexpr double distance = 1e-6;
   bool hasInside = false;
   bool hasOutside = false;
   for (unsigned int corner = 0; corner < 8; ++corner)
@@ -59,7 +72,7 @@ bool IsPassed(const CellCorners& differences, const Vector3& point)
     Vector3 there;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const double way = (corner >> axis & 1U) != 0 ? distance : -distance;
+      const double way = (corner >> axis & 1U) != 0 ? UncertainSlack : -UncertainSlack;
       there[axis] = std::clamp(point[axis] + way, 0.0, 1.0);
     }
     (IsInside(Interpolate(differences, there)) ? hasInside : hasOutside) = true;
@@ -116,7 +129,7 @@ void CellHits::Enter(const RayFrame& frame, const MeshCell& cell)
   }
   if (cell.Shape != CellShape::Tetrahedron)
   {
-    this->Slack = 1e-9 * this->GetExtent();
+    this->SlackOfT = Slack * this->GetExtent();
   }
   this->AvoidExtremes();
 }
@@ -244,9 +257,9 @@ void CellHits::FindBetweenFaces(const double* differences, const TrilinearSoluti
     const FaceCrossing* first = this->Faces.Crossings + i;
     const FaceCrossing* last = first + step - 1;
     const auto isBefore = [this, first](const CellHit& hit)
-    { return hit.T < first->T - this->Slack; };
+    { return hit.T < first->T - this->SlackOfT; };
     const auto isBehind = [this, last](const CellHit& hit)
-    { return hit.T > last->T + this->Slack; };
+    { return hit.T > last->T + this->SlackOfT; };
     begin = std::find_if_not(begin, endOfAll, isBefore);
     const auto end = std::find_if(begin, endOfAll, isBehind);
     this->Segment.assign(begin, end);
@@ -311,8 +324,8 @@ bool CellHits::IsInSegment(double t) const
   const int step = this->GetStep();
   for (int i = 0; i < this->Faces.Count; i += step)
   {
-    if (t >= this->Faces.Crossings[i].T - this->Slack &&
-      t <= this->Faces.Crossings[i + step - 1].T + this->Slack)
+    if (t >= this->Faces.Crossings[i].T - this->SlackOfT &&
+      t <= this->Faces.Crossings[i + step - 1].T + this->SlackOfT)
     {
       return true;
     }
@@ -346,7 +359,7 @@ void CellHits::MatchParity(const FaceCrossing* crossings, int count, const doubl
   const auto extra = std::min_element(hits.begin(), hits.end(),
     [&distance](const CellHit& a, const CellHit& b) { return distance(a) < distance(b); });
   const double length = crossings[count - 1].T - crossings[0].T;
-  if (extra != hits.end() && distance(*extra) <= 1e-6 * length)
+  if (extra != hits.end() && distance(*extra) <= UncertainSlack * length)
   {
     hits.erase(extra);
     return;

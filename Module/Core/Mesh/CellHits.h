@@ -74,7 +74,7 @@ private:
   FramePoint Points[MaximumCorners];
   FaceCrossings Faces;
   /// What rounding may move hits by.
-  double Slack;
+  double SlackOfT;
   std::vector<CellHit> Hits;
   std::vector<Vector3> Solutions;
   /// The solutions that may be hits: all of them, and those between two crossings.

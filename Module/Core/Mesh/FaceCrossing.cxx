@@ -220,7 +220,7 @@ void FaceCrossings::PutInOrder()
   // Where the ray passes a vertex, an edge or a flat cell.
   const double first = this->Crossings[0].T;
   const double last = this->Crossings[1].T;
-  if (last - first <= 1e-12 * (std::abs(first) + std::abs(last)))
+  if (last - first <= PartOfSamePlace * (std::abs(first) + std::abs(last)))
   {
     std::swap(this->Crossings[0], this->Crossings[1]);
   }

@@ -10,6 +10,14 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+/// Crossings whose T differ by no more than this part of them are in one place, but for rounding:
+/// it leaves some 1e-15 of a sum of three products.
+constexpr double PartOfSamePlace = 1e-12;
+
+/// The least sum of areas that weights are made of: the inverse of one that is near to the smallest
+/// numbers would overflow.
+constexpr double LeastSumOfAreas = 0x1p-900;
+
 /// Turns the areas opposite to the corners of a triangle that a ray crosses into their weights: not
 /// negative, with the sum one. Left tells whether the areas are positive.
 template <typename Number>
@@ -22,7 +30,7 @@ SIMD_INLINE void MakeWeights(decltype(Number() < Number()) isLeft, Number weight
   }
   const Number sum = weights[0] + weights[1] + weights[2];
   const Number inverse = 1.0 / sum;
-  const auto hasArea = 0x1p-900 < sum;
+  const auto hasArea = LeastSumOfAreas < sum;
   for (int i = 0; i < 3; ++i)
   {
     weights[i] = Select(hasArea, weights[i] * inverse, Number(1.0 / 3.0));
@@ -78,7 +86,7 @@ public:
       this->Weights[i] = Lerp(one.Weights[i], other.Weights[i], fraction);
     }
     Mask isOneFirst = one.T < other.T;
-    const Mask isClose = Abs(one.T - other.T) <= 1e-12 * (Abs(one.T) + Abs(other.T));
+    const Mask isClose = Abs(one.T - other.T) <= PartOfSamePlace * (Abs(one.T) + Abs(other.T));
     if (Any(isClose & isHit))
     {
       // Where the ray passes a vertex, an edge or a flat cell. The second face is seen from
