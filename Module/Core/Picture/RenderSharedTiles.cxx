@@ -196,6 +196,7 @@ private:
 
   Job TakeJob();
   void Do(const Job& job);
+  const PartFinder* FindParts(const Job& job, std::vector<Message>& notes);
   void Find(const Job& job);
   void Await(const PartRequest& rest, FoundGroup& group);
   void FinishGroup();
@@ -333,35 +334,45 @@ void SharedRenderer::Do(const Job& job)
 }
 
 //------------------------------------------------------------------------------
+/// Writes the parts of a group to notes, one for each share. Returns what has found them; null if
+/// there are none, because something has gone wrong.
+const PartFinder* SharedRenderer::FindParts(const Job& job, std::vector<Message>& notes)
+{
+  const PartFinder* found = nullptr;
+  if (this->IsAbandoned)
+  {
+    return found;
+  }
+  this->Exception.Guard(
+    [&]
+    {
+      std::unique_ptr<PartFinder>& finder =
+        this->Finders[static_cast<std::size_t>(omp_get_thread_num())];
+      if (!finder)
+      {
+        finder = std::make_unique<PartFinder>(this->TheScene, this->Tiles, this->Shaders,
+          this->TheExecution.PacketKernels, this->Picture,
+          this->TheSharing.FindSegmentsOfPart(this->Processes));
+      }
+      finder->Find(job.Number, job.Request);
+      for (int number = 0; number < this->Tiles.GetGroupSize(); ++number)
+      {
+        if (job.Request.IsLookedFor(this->Tiles, number))
+        {
+          finder->Write(job.Number, number, notes[static_cast<std::size_t>(number)]);
+        }
+      }
+      found = finder.get();
+    });
+  return found;
+}
+
+//------------------------------------------------------------------------------
 /// Finds a part of a group. Whatever happens, there is one: others wait for it.
 void SharedRenderer::Find(const Job& job)
 {
-  const PartFinder* found = nullptr;
   std::vector<Message> notes(static_cast<std::size_t>(this->Tiles.GetGroupSize()));
-  if (!this->IsAbandoned)
-  {
-    this->Exception.Guard(
-      [&]
-      {
-        std::unique_ptr<PartFinder>& finder =
-          this->Finders[static_cast<std::size_t>(omp_get_thread_num())];
-        if (!finder)
-        {
-          finder = std::make_unique<PartFinder>(this->TheScene, this->Tiles, this->Shaders,
-            this->TheExecution.PacketKernels, this->Picture,
-            this->TheSharing.FindSegmentsOfPart(this->Processes));
-        }
-        finder->Find(job.Number, job.Request);
-        for (int number = 0; number < this->Tiles.GetGroupSize(); ++number)
-        {
-          if (job.Request.IsLookedFor(this->Tiles, number))
-          {
-            finder->Write(job.Number, number, notes[static_cast<std::size_t>(number)]);
-          }
-        }
-        found = finder.get();
-      });
-  }
+  const PartFinder* found = this->FindParts(job, notes);
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->IsAbandoned = this->IsAbandoned || !found;
   for (int number = 0; number < this->Tiles.GetGroupSize(); ++number)
@@ -722,36 +733,49 @@ bool SharedRenderer::IsNothingLeft()
 //------------------------------------------------------------------------------
 Agreement AgreeOnPicture(Scene* scene, MessageExchange& exchange)
 {
+  // Of the least numbers those with the other sign are the largest.
+  enum
+  {
+    HasRefused,
+    MinusX,
+    MinusY,
+    EndX,
+    EndY,
+    Fields,
+    MinusFields,
+    Count
+  };
   constexpr int none = std::numeric_limits<int>::min() / 2;
-  int largest[7] = { 1, none, none, none, none, none, none };
+  int largest[Count] = { 1, none, none, none, none, none, none };
   if (scene)
   {
     const PixelRectangle& pixels = scene->Pixels;
     const auto fields = static_cast<int>(scene->Fields.size());
-    largest[0] = 0;
-    largest[5] = fields;
-    largest[6] = -fields;
+    largest[HasRefused] = 0;
+    largest[Fields] = fields;
+    largest[MinusFields] = -fields;
     if (!IsEmpty(pixels))
     {
-      largest[1] = -pixels.X;
-      largest[2] = -pixels.Y;
-      largest[3] = pixels.X + pixels.Width;
-      largest[4] = pixels.Y + pixels.Height;
+      largest[MinusX] = -pixels.X;
+      largest[MinusY] = -pixels.Y;
+      largest[EndX] = pixels.X + pixels.Width;
+      largest[EndY] = pixels.Y + pixels.Height;
     }
   }
-  exchange.FindLargest(largest, 7);
-  if (largest[0] != 0)
+  exchange.FindLargest(largest, Count);
+  if (largest[HasRefused] != 0)
   {
     return Agreement::Refused;
   }
-  if (largest[5] != -largest[6])
+  if (largest[Fields] != -largest[MinusFields])
   {
     return Agreement::DifferentFields;
   }
   scene->Pixels = {};
-  if (largest[3] > none)
+  if (largest[EndX] > none)
   {
-    scene->Pixels = { -largest[1], -largest[2], largest[3] + largest[1], largest[4] + largest[2] };
+    scene->Pixels = { -largest[MinusX], -largest[MinusY], largest[EndX] + largest[MinusX],
+      largest[EndY] + largest[MinusY] };
   }
   return Agreement::Fine;
 }
