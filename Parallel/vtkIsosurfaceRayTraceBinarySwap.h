@@ -15,51 +15,11 @@
 
 #include <algorithm>   // for std::merge
 #include <cstddef>     // for std::size_t
-#include <cstdint>     // for std::uint32_t
 #include <iterator>    // for std::back_inserter
-#include <tuple>       // for std::tie
 #include <type_traits> // for std::is_trivially_copyable_v
 #include <vector>      // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
-
-/// What is sent of a pixel where all surfaces are opaque.
-struct vtkIsosurfaceRayTraceOpaquePixel
-{
-  double T;
-  std::uint32_t Pixel;
-  vtkIsosurfaceRayTracing::CompositedPixel Shown;
-
-  double GetOpacity() const { return 1.0; }
-  auto GetOrder() const { return std::tie(this->Pixel, this->T); }
-};
-
-/// What is sent of the extreme value of a pixel. The most extreme one comes first, and hides the
-/// others; of equal ones the nearest does.
-struct vtkIsosurfaceRayTraceProjectedPixel
-{
-  /// Of a maximum minus the value.
-  double Rank;
-  std::uint32_t Pixel;
-  vtkIsosurfaceRayTracing::CompositedPixel Shown;
-
-  double GetOpacity() const { return 1.0; }
-  auto GetOrder() const { return std::tie(this->Pixel, this->Rank, this->Shown.Depth); }
-};
-
-/// What is sent of a fragment, translucent or not. Colours are not rounded on the way, so that it
-/// does not matter which process composites them.
-struct vtkIsosurfaceRayTraceSentFragment
-{
-  double T;
-  double Color[3];
-  double Opacity;
-  std::uint32_t Pixel;
-  float Depth;
-
-  double GetOpacity() const { return this->Opacity; }
-  auto GetOrder() const { return std::tie(this->Pixel, this->T); }
-};
 
 /// The records of a process that are in some rows of the picture, by pixel and in their order.
 template <typename Record>

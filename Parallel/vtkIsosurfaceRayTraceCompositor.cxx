@@ -6,6 +6,7 @@
 #include "vtkIsosurfaceRayTraceBinarySwap.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTraceMeshMapper.h"
+#include "vtkIsosurfaceRayTraceRecords.h"
 #if VTK_MODULE_ENABLE_VTK_ParallelMPI
 #include "vtkIsosurfaceRayTraceMPIExchange.h"
 #endif
@@ -15,7 +16,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkDummyController.h"
 #include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -46,148 +46,11 @@ vtkStandardNewMacro(vtkIsosurfaceRayTraceCompositor);
 namespace
 {
 
-using OpaquePixel = vtkIsosurfaceRayTraceOpaquePixel;
-using ProjectedPixel = vtkIsosurfaceRayTraceProjectedPixel;
-using SentFragment = vtkIsosurfaceRayTraceSentFragment;
+using vtkIsosurfaceRayTraceRecords::OpaquePixel;
+using vtkIsosurfaceRayTraceRecords::ProjectedPixel;
+using vtkIsosurfaceRayTraceRecords::SentFragment;
 
 constexpr int PixelsTag = 31415;
-
-//------------------------------------------------------------------------------
-/// The output of RenderToFragments.
-struct FragmentColumns
-{
-  explicit FragmentColumns(vtkTable* fragments)
-    : Pixels(vtkIdTypeArray::SafeDownCast(fragments->GetColumnByName("Pixel")))
-    , Ts(vtkDoubleArray::SafeDownCast(fragments->GetColumnByName("T")))
-    , Colors(vtkDoubleArray::SafeDownCast(fragments->GetColumnByName("Color")))
-    , Opacities(vtkDoubleArray::SafeDownCast(fragments->GetColumnByName("Opacity")))
-    , Depths(vtkFloatArray::SafeDownCast(fragments->GetColumnByName("Depth")))
-  {
-  }
-
-  vtkirt::Fragment Get(vtkIdType row) const
-  {
-    vtkirt::Fragment fragment{};
-    fragment.T = this->Ts->GetValue(row);
-    this->Colors->GetTypedTuple(row, fragment.Color.data());
-    fragment.Opacity = this->Opacities->GetValue(row);
-    fragment.Depth = this->Depths->GetValue(row);
-    return fragment;
-  }
-
-  vtkIdTypeArray* Pixels;
-  vtkDoubleArray* Ts;
-  vtkDoubleArray* Colors;
-  vtkDoubleArray* Opacities;
-  vtkFloatArray* Depths;
-};
-
-//------------------------------------------------------------------------------
-bool AreOpaque(vtkTable* fragments)
-{
-  if (fragments->GetNumberOfRows() == 0)
-  {
-    return true;
-  }
-  const FragmentColumns columns(fragments);
-  const double* opacities = columns.Opacities->GetPointer(0);
-  return std::all_of(opacities, opacities + fragments->GetNumberOfRows(),
-    [](double opacity) { return opacity >= 1.0; });
-}
-
-//------------------------------------------------------------------------------
-void ToRecord(const vtkirt::Fragment& fragment, OpaquePixel& record)
-{
-  record.T = fragment.T;
-  record.Shown = vtkirt::ToPixel(fragment);
-}
-
-void ToRecord(const vtkirt::Fragment& fragment, SentFragment& record)
-{
-  record.T = fragment.T;
-  std::copy(fragment.Color.begin(), fragment.Color.end(), record.Color);
-  record.Opacity = fragment.Opacity;
-  record.Depth = fragment.Depth;
-}
-
-template <typename Record>
-std::vector<Record> MakeRecords(vtkTable* fragments)
-{
-  std::vector<Record> records(static_cast<std::size_t>(fragments->GetNumberOfRows()));
-  if (records.empty())
-  {
-    return records; // The table may have no columns.
-  }
-  const FragmentColumns columns(fragments);
-  for (std::size_t i = 0; i < records.size(); ++i)
-  {
-    const auto row = static_cast<vtkIdType>(i);
-    ToRecord(columns.Get(row), records[i]);
-    records[i].Pixel = static_cast<std::uint32_t>(columns.Pixels->GetValue(row));
-  }
-  return records;
-}
-
-/// The extreme values that a mapper has found.
-std::vector<ProjectedPixel> MakeRecordsOfValues(vtkTable* fragments, double sign)
-{
-  std::vector<ProjectedPixel> records;
-  if (fragments->GetNumberOfRows() == 0)
-  {
-    return records;
-  }
-  const FragmentColumns columns(fragments);
-  auto* values = vtkDoubleArray::SafeDownCast(fragments->GetColumnByName("Value"));
-  for (vtkIdType row = 0; row < fragments->GetNumberOfRows(); ++row)
-  {
-    records.push_back(
-      { sign * values->GetValue(row), static_cast<std::uint32_t>(columns.Pixels->GetValue(row)),
-        vtkirt::ToPixel(columns.Get(row)) });
-  }
-  return records;
-}
-
-/// The pixels of a picture that show anything.
-std::vector<OpaquePixel> MakeRecords(vtkImageData* picture)
-{
-  vtkPointData* arrays = picture->GetPointData();
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(arrays->GetArray("Colors"));
-  auto* depths = vtkFloatArray::SafeDownCast(arrays->GetArray("Depth"));
-  std::vector<OpaquePixel> records;
-  for (vtkIdType i = 0; colors && i < colors->GetNumberOfTuples(); ++i)
-  {
-    OpaquePixel record{};
-    record.Pixel = static_cast<std::uint32_t>(i);
-    colors->GetTypedTuple(i, record.Shown.Rgba);
-    record.Shown.Depth = depths->GetValue(i);
-    if (record.Shown.Rgba[3] > 0 || record.Shown.Depth < 1.0F)
-    {
-      records.push_back(record);
-    }
-  }
-  return records;
-}
-
-//------------------------------------------------------------------------------
-/// Composites the records of one pixel, front to back. The fragments are memory for any use.
-template <typename Record>
-vtkirt::CompositedPixel ToPixel(const Record* first, const Record*, std::vector<vtkirt::Fragment>&)
-{
-  return first->Shown;
-}
-
-vtkirt::CompositedPixel ToPixel(
-  const SentFragment* first, const SentFragment* end, std::vector<vtkirt::Fragment>& fragments)
-{
-  fragments.clear();
-  std::transform(first, end, std::back_inserter(fragments),
-    [](const SentFragment& sent)
-    {
-      return vtkirt::Fragment{ sent.T, { sent.Color[0], sent.Color[1], sent.Color[2] },
-        sent.Opacity, sent.Depth };
-    });
-  return vtkirt::Composite(fragments.data(), fragments.size());
-}
 
 //------------------------------------------------------------------------------
 /// Calls function(mapper) with a mapper as one of those that trace isosurfaces, if it is one.
@@ -340,8 +203,8 @@ struct vtkIsosurfaceRayTraceCompositor::Fragments
 
   bool AreOpaque() const
   {
-    return std::all_of(this->OfVolumes.begin(), this->OfVolumes.end(),
-      [](vtkTable* fragments) { return ::AreOpaque(fragments); });
+    return std::all_of(
+      this->OfVolumes.begin(), this->OfVolumes.end(), vtkIsosurfaceRayTraceRecords::AreOpaque);
   }
 
   template <typename Record>
@@ -350,7 +213,7 @@ struct vtkIsosurfaceRayTraceCompositor::Fragments
     std::vector<Record> all;
     for (vtkTable* fragments : this->OfVolumes)
     {
-      std::vector<Record> records = ::MakeRecords<Record>(fragments);
+      std::vector<Record> records = vtkIsosurfaceRayTraceRecords::Make<Record>(fragments);
       all = all.empty() ? std::move(records)
                         : vtkIsosurfaceRayTraceBinarySwap<Record>::Merge(all, records);
     }
@@ -579,7 +442,8 @@ bool vtkIsosurfaceRayTraceCompositor::MakeIsosurfaces(
   if (pixels.HaveValues)
   {
     const double sign = GetSignOfProjection(view.GetMapper());
-    this->Composite(MakeRecordsOfValues(fragments.OfVolumes.front(), sign), controller, pixels);
+    this->Composite(vtkIsosurfaceRayTraceRecords::MakeOfValues(fragments.OfVolumes.front(), sign),
+      controller, pixels);
     for (double& value : pixels.Values)
     {
       value *= sign;
@@ -626,7 +490,7 @@ bool vtkIsosurfaceRayTraceCompositor::MakeCloud(
   {
     return false;
   }
-  this->Composite(MakeRecords(own), controller, pixels);
+  this->Composite(vtkIsosurfaceRayTraceRecords::MakeOfPicture(own), controller, pixels);
   this->CompositeTime = ofPicture.GetSeconds();
   return true;
 }
@@ -808,7 +672,8 @@ void vtkIsosurfaceRayTraceCompositor::Composite(
   {
     const Record* const next = std::find_if(
       first, end, [first](const Record& record) { return record.Pixel != first->Pixel; });
-    const vtkirt::CompositedPixel made = ToPixel(first, next, fragmentsOfPixel);
+    const vtkirt::CompositedPixel made =
+      vtkIsosurfaceRayTraceRecords::Composite(first, next, fragmentsOfPixel);
     const std::size_t place = first->Pixel -
       static_cast<std::size_t>(pixels.FirstRow) * static_cast<std::size_t>(pixels.Width);
     std::copy_n(made.Rgba, 4, &pixels.Colors[4 * place]);
