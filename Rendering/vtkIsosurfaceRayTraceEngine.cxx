@@ -801,13 +801,7 @@ bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const Pictur
       const KeepGoing& keepGoing)
     {
       hasAgreed = true;
-      const vtkirt::Agreement agreement = vtkirt::AgreeOnPicture(&picture.Scene, exchange);
-      if (agreement == vtkirt::Agreement::DifferentFields)
-      {
-        vtkErrorWithObjectMacro(this->Mapper,
-          << "The mappers of the processes draw different numbers of inputs; this one draws "
-          << picture.Scene.Fields.size() << ". Give each the same connections.");
-      }
+      const vtkirt::Agreement agreement = this->AgreeOnPicture(picture, exchange);
       if (agreement == vtkirt::Agreement::Refused)
       {
         picture.Scene.Pixels = {};
@@ -818,15 +812,8 @@ bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const Pictur
         picture.SetDepths(view.Depths->GetPointer(0), view.Width); // The rectangle is that of all.
       }
       const vtkirt::Stopwatch stopwatch;
-      const bool areSameClouds =
-        agreement == vtkirt::Agreement::Fine && picture.AgreeOnClouds(exchange);
-      if (agreement == vtkirt::Agreement::Fine && !areSameClouds)
-      {
-        vtkErrorWithObjectMacro(this->Mapper,
-          "The scalars of the processes have different numbers of components, or some are colours "
-          "of unsigned char and others are not. Give all processes the same.");
-      }
-      const bool isComplete = areSameClouds &&
+      const bool isComplete = agreement == vtkirt::Agreement::Fine &&
+        this->AgreeOnClouds(picture, exchange) &&
         vtkirt::RenderSharedTiles(
           picture.Scene, execution, sharing, exchange, picture.Frame, counts, keepGoing);
       picture.Times.Trace = stopwatch.GetSeconds();
@@ -840,6 +827,34 @@ bool vtkIsosurfaceRayTraceEngine::RenderOwnTiles(vtkVolume* volume, const Pictur
     vtkirt::AgreeOnPicture(nullptr, exchange);
   }
   return isDone;
+}
+
+//------------------------------------------------------------------------------
+vtkirt::Agreement vtkIsosurfaceRayTraceEngine::AgreeOnPicture(
+  vtkIsosurfaceRayTracePicture& picture, vtkirt::MessageExchange& exchange)
+{
+  const vtkirt::Agreement agreement = vtkirt::AgreeOnPicture(&picture.Scene, exchange);
+  if (agreement == vtkirt::Agreement::DifferentFields)
+  {
+    vtkErrorWithObjectMacro(this->Mapper,
+      << "The mappers of the processes draw different numbers of inputs; this one draws "
+      << picture.Scene.Fields.size() << ". Give each the same connections.");
+  }
+  return agreement;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceEngine::AgreeOnClouds(
+  vtkIsosurfaceRayTracePicture& picture, vtkirt::MessageExchange& exchange)
+{
+  const bool areSame = picture.AgreeOnClouds(exchange);
+  if (!areSame)
+  {
+    vtkErrorWithObjectMacro(this->Mapper,
+      "The scalars of the processes have different numbers of components, or some are colours of "
+      "unsigned char and others are not. Give all processes the same.");
+  }
+  return areSame;
 }
 
 //------------------------------------------------------------------------------

@@ -36,6 +36,7 @@ class vtkDataSet;
 class vtkFloatArray;
 class vtkImageData;
 class vtkIsosurfaceRayTraceHolder;
+class vtkIsosurfaceRayTracePicture;
 class vtkLightCollection;
 class vtkPoints;
 class vtkPolyData;
@@ -162,6 +163,13 @@ private:
   /// whether what is traced has outlived these, and mayGoOn has not stopped it.
   bool ReadSamples(const vtkIsosurfaceRayTraceUse& use, const vtkIsosurfaceRayTraceRequest& request,
     double seconds, const std::function<bool()>& mayGoOn);
+  ///@{
+  /// What the processes of a picture must have in common; if they have not, that is reported.
+  vtkIsosurfaceRayTracing::Agreement AgreeOnPicture(
+    vtkIsosurfaceRayTracePicture& picture, vtkIsosurfaceRayTracing::MessageExchange& exchange);
+  bool AgreeOnClouds(
+    vtkIsosurfaceRayTracePicture& picture, vtkIsosurfaceRayTracing::MessageExchange& exchange);
+  ///@}
   /// Whether a view has a depth for each pixel, or none; if not, that is reported.
   bool HasFittingDepths(const char* name, const PictureView& view) const;
   template <typename Trace, typename Write>
