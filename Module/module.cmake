@@ -53,6 +53,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceMacrocellCache
   Rendering/vtkIsosurfaceRayTraceMeshPart
   Rendering/vtkIsosurfaceRayTraceOutput
+  Rendering/vtkIsosurfaceRayTracePartSet
   Rendering/vtkIsosurfaceRayTracePicture
   Rendering/vtkIsosurfaceRayTracePolyhedron
   Rendering/vtkIsosurfaceRayTraceProblems

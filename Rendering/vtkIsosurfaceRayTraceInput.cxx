@@ -102,12 +102,6 @@ bool IsPiece(vtkDataObject* data)
   return pieces > 1 || (grid && grid->HasAnyGhostCells());
 }
 
-bool AreSame(const vtkirt::PlacedField& a, const vtkirt::PlacedField& b)
-{
-  return a.Source == b.Source && a.SetFromOwn == b.SetFromOwn && a.Box.Lower == b.Box.Lower &&
-    a.Box.Upper == b.Box.Upper && a.CellSize == b.CellSize && a.IsOnDemand == b.IsOnDemand;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -244,8 +238,7 @@ void vtkIsosurfaceRayTraceInput::RemoveParts()
   this->LeftOut = {};
   this->Field = nullptr;
   this->Parts.clear();
-  this->Placed.clear();
-  this->Set.reset();
+  this->Set.Clear();
   this->Objects = nullptr;
   this->ArePartsKept = false;
   this->PropertyComponent = 0;
@@ -512,17 +505,18 @@ bool vtkIsosurfaceRayTraceInput::Update(int threads, vtkIsosurfaceRayTraceLevel 
   }
   if (!isLone)
   {
-    if (!this->ArePlaced || !this->Set)
+    if (!this->ArePlaced || !this->Set.Get())
     {
-      this->JoinParts();
+      this->Set.Join(this->Parts);
     }
-    this->Field = this->Set.get();
+    this->Field = this->Set.Get();
+    this->PhysicalFromObject = this->Set.GetPhysicalFromObject();
+    this->CellSize = this->Set.GetCellSize();
     this->ArePlaced = true;
     return isBuilt;
   }
   Part& part = *this->Parts.front();
-  this->Set.reset();
-  this->Placed.clear();
+  this->Set.Clear();
   this->Field = &part.GetField();
   this->PhysicalFromObject = part.FindPhysicalFromObject();
   this->CellSize = part.FindCellSize();
@@ -547,9 +541,9 @@ void vtkIsosurfaceRayTraceInput::ReadSlab(int threads)
   }
   Part& part = *this->UnreadParts.back();
   part.ReadSlab(threads);
-  if (this->Set)
+  if (vtkirt::FieldSet* set = this->Set.Get())
   {
-    this->Set->Forget();
+    set->Forget();
   }
   if (part.GetFractionRead() == 1.0)
   {
@@ -577,58 +571,6 @@ std::string vtkIsosurfaceRayTraceInput::GetWarning() const
     warning = this->Parts[i]->GetWarning();
   }
   return warning;
-}
-
-//------------------------------------------------------------------------------
-/// The object space of all is that of the data, counted from their centre: data far from the origin
-/// lose no digits.
-void vtkIsosurfaceRayTraceInput::JoinParts()
-{
-  using vtkirt::operator-;
-  std::vector<vtkirt::PlacedField> placed;
-  vtkirt::Bounds all = vtkirt::NoBounds();
-  for (const std::unique_ptr<Part>& part : this->Parts)
-  {
-    vtkirt::PlacedField field{};
-    field.Source = part.get();
-    field.SetFromOwn = part->FindPhysicalFromObject();
-    field.Box = part->FindBox();
-    field.CellSize = part->FindCellSize();
-    field.IsOnDemand = part->IsBuiltOnDemand();
-    field.IsSeamless = part->IsSeamless();
-    placed.push_back(field);
-    all = vtkirt::Unite(all, vtkirt::TransformBounds(field.SetFromOwn, field.Box));
-  }
-  const vtkirt::Vector3 center = vtkirt::GetCenter(all);
-  this->CellSize = 0.0;
-  for (vtkirt::PlacedField& field : placed)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      field.SetFromOwn[4 * axis + 3] -= center[axis];
-    }
-    const vtkirt::Vector3 size = field.Box.Upper - field.Box.Lower;
-    field.MemoryShare = std::max(
-      1e-9, size[0] * size[1] * size[2] / (field.CellSize * field.CellSize * field.CellSize));
-    const vtkirt::AffineAxes axes(field.SetFromOwn);
-    const double longest = *std::max_element(axes.Lengths.begin(), axes.Lengths.end());
-    this->CellSize = std::max(this->CellSize, field.CellSize * longest);
-    field.Box = vtkirt::TransformBounds(field.SetFromOwn, field.Box);
-  }
-  this->PhysicalFromObject = Identity;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    this->PhysicalFromObject[4 * axis + 3] = center[axis];
-  }
-  const bool isSame = this->Set &&
-    std::equal(placed.begin(), placed.end(), this->Placed.begin(), this->Placed.end(), AreSame);
-  if (isSame)
-  {
-    this->Set->Forget();
-    return;
-  }
-  this->Set = std::make_unique<vtkirt::FieldSet>(placed);
-  this->Placed = std::move(placed);
 }
 
 //------------------------------------------------------------------------------

@@ -9,11 +9,11 @@
 #include "vtkIsosurfaceRayTraceClouds.h"   // for ivars
 #include "vtkIsosurfaceRayTraceLeaves.h"   // for ivars
 #include "vtkIsosurfaceRayTracePart.h"     // for ivars
+#include "vtkIsosurfaceRayTracePartSet.h"  // for ivars
 #include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include "vtkType.h"                       // for vtkIdType
 
 #include "Field/EmptyField.h"
-#include "Field/FieldSet.h"
 #include "Image/ImageSettings.h"
 #include "Picture/Scene.h"
 
@@ -212,7 +212,6 @@ private:
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
     FormerParts& before);
   void RemoveParts();
-  void JoinParts();
   bool ArePartsIntact(int threads) const;
   std::unique_ptr<vtkIsosurfaceRayTracing::HitColors> MakeColorsOfArray(
     const vtkIsosurfaceRayTraceValueColors& colorsOfValues) const;
@@ -257,8 +256,7 @@ private:
   /// That of the only part, or the set of those of all parts, which is kept while they are the
   /// same.
   vtkIsosurfaceRayTracing::TracedField* Field = nullptr;
-  std::unique_ptr<vtkIsosurfaceRayTracing::FieldSet> Set;
-  std::vector<vtkIsosurfaceRayTracing::PlacedField> Placed;
+  vtkIsosurfaceRayTracePartSet Set;
   /// Whether the set is that of the parts as they are.
   bool ArePlaced = false;
   vtkIsosurfaceRayTracing::Matrix4 PhysicalFromObject = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
