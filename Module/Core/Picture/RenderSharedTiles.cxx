@@ -743,10 +743,10 @@ Agreement AgreeOnPicture(Scene* scene, MessageExchange& exchange)
     EndY,
     Fields,
     MinusFields,
-    Count
+    Numbers
   };
   constexpr int none = std::numeric_limits<int>::min() / 2;
-  int largest[Count] = { 1, none, none, none, none, none, none };
+  int largest[Numbers] = { 1, none, none, none, none, none, none };
   if (scene)
   {
     const PixelRectangle& pixels = scene->Pixels;
@@ -762,7 +762,7 @@ Agreement AgreeOnPicture(Scene* scene, MessageExchange& exchange)
       largest[EndY] = pixels.Y + pixels.Height;
     }
   }
-  exchange.FindLargest(largest, Count);
+  exchange.FindLargest(largest, Numbers);
   if (largest[HasRefused] != 0)
   {
     return Agreement::Refused;
