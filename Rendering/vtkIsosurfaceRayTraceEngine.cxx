@@ -494,8 +494,8 @@ try
   }
   if (isHintSafe && request->Inputs.GetFractionRead() == 1.0)
   {
-    this->Reporter.WarnOnce(
-      vtkIsosurfaceRayTraceHints::FindInRequest(*request, this->TheClient.GetSettings()),
+    this->Reporter.WarnOnce(vtkIsosurfaceRayTraceHints::FindInRequest(
+                              *request, this->TheClient.GetSettings(), renderer->GetLights()),
       vtkIsosurfaceRayTraceReporter::Kind::Hint);
   }
 
@@ -753,8 +753,8 @@ bool vtkIsosurfaceRayTraceEngine::RenderToImage(
       const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTracePicture& picture)
     {
       vtkIsosurfaceRayTraceOutput::WriteImage(request, picture, view.Width, view.Height, output);
-      std::string hint =
-        vtkIsosurfaceRayTraceHints::FindInRequest(request, this->TheClient.GetSettings());
+      std::string hint = vtkIsosurfaceRayTraceHints::FindInRequest(
+        request, this->TheClient.GetSettings(), view.Lights);
       if (hint.empty())
       {
         hint = vtkIsosurfaceRayTraceHints::FindInView(request,

@@ -6,6 +6,9 @@
 #include "vtkIsosurfaceRayTraceRequest.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 
+#include "vtkCollectionRange.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkVolumeProperty.h"
 
 #include "Math/Matrix.h"
@@ -52,7 +55,15 @@ std::string FindInIsovalues(const Request::Volume& volume)
   return hint.str();
 }
 
-std::string FindInLight(const Request& request, const vtkIsosurfaceRayTraceSettings& settings)
+bool AreAllOff(vtkLightCollection* lights)
+{
+  const auto range = vtk::Range(lights);
+  return std::none_of(range.begin(), range.end(),
+    [](vtkLight* light) { return light->GetSwitch() && light->GetIntensity() != 0.0; });
+}
+
+std::string FindInLight(
+  const Request& request, const vtkIsosurfaceRayTraceSettings& settings, vtkLightCollection* lights)
 {
   const bool isOccluded = settings.NumberOfAmbientOcclusionRays > 0;
   const auto isShaded = [](const Request::Volume& volume)
@@ -69,6 +80,13 @@ std::string FindInLight(const Request& request, const vtkIsosurfaceRayTraceSetti
   {
     return "Ambient occlusion darkens ambient light alone, and the property has none: call "
            "SetAmbient(0.5).";
+  }
+  // Occluded ambient light may be all that is meant.
+  if (!isOccluded && lights && AreAllOff(lights) &&
+    std::any_of(request.Volumes.begin(), request.Volumes.end(), isShaded))
+  {
+    return "No light is on: shaded surfaces have their ambient light alone. Call AddLight() of the "
+           "renderer, or ShadeOff() of the property.";
   }
   return "";
 }
@@ -118,7 +136,8 @@ namespace vtkIsosurfaceRayTraceHints
 {
 
 //------------------------------------------------------------------------------
-std::string FindInRequest(const Request& request, const vtkIsosurfaceRayTraceSettings& settings)
+std::string FindInRequest(
+  const Request& request, const vtkIsosurfaceRayTraceSettings& settings, vtkLightCollection* lights)
 {
   if (settings.HasCloud)
   {
@@ -136,7 +155,7 @@ std::string FindInRequest(const Request& request, const vtkIsosurfaceRayTraceSet
   {
     return ofFirst;
   }
-  return FindInLight(request, settings);
+  return FindInLight(request, settings, lights);
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkLightCollection;
+
 struct vtkIsosurfaceRayTraceRequest;
 struct vtkIsosurfaceRayTraceSettings;
 
@@ -22,10 +24,11 @@ namespace vtkIsosurfaceRayTraceHints
 {
 
 /// No isovalue is within the scalars; shadows or occlusion are on, and shading is off; occlusion is
-/// on, and there is no ambient light. Of data that are a piece of others nothing is said of
-/// isovalues: the others may have them.
-std::string FindInRequest(
-  const vtkIsosurfaceRayTraceRequest& request, const vtkIsosurfaceRayTraceSettings& settings);
+/// on, and there is no ambient light; shading is on, and no light. Of data that are a piece of
+/// others nothing is said of isovalues: the others may have them. Without lights (null) there is
+/// one, as in RenderToImage.
+std::string FindInRequest(const vtkIsosurfaceRayTraceRequest& request,
+  const vtkIsosurfaceRayTraceSettings& settings, vtkLightCollection* lights);
 
 /// The camera, given its matrix, sees nothing of the boxes of the data.
 std::string FindInView(const vtkIsosurfaceRayTraceRequest& request,

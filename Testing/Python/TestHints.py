@@ -5,10 +5,11 @@
 
 import math
 import unittest
+from functools import partial
 
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkVolume
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
@@ -129,6 +130,31 @@ class TestHints(unittest.TestCase):
         self.check((mapper, volume, renderer), r"call SetAmbient\(0\.5\)")
         volume.GetProperty().SetAmbient(0.5)
         self.assertEqual(self.draw(mapper, volume, renderer), [])
+
+    def test_no_light(self):
+        for intensities in ((), (0.0,), (0.0, 0.0)):
+            mapper, volume, renderer = make_scene(make_waves(), 150.0)
+            scene = mapper, volume, renderer
+            shading = volume.GetProperty()
+            shading.ShadeOn()
+            renderer.AutomaticLightCreationOff()  # as in ParaView
+            for intensity in intensities:
+                light = vtkLight()
+                light.SetIntensity(intensity)
+                renderer.AddLight(light)
+            self.check(scene, r"Call AddLight\(\)")
+            camera, lights, image = renderer.GetActiveCamera(), renderer.GetLights(), vtkImageData()
+            warnings = warnings_of(mapper, partial(mapper.RenderToImage, volume, camera, lights, 60, 60, image))
+            self.assertEqual(len(warnings), 1)
+            shading.ShadeOff()
+            self.assertEqual(self.draw(*scene), [])
+            shading.ShadeOn()
+            mapper.AmbientOcclusionOn()
+            self.assertEqual(self.draw(*scene), [])
+            mapper.AmbientOcclusionOff()
+            self.check(scene, r"Call AddLight\(\)")
+            renderer.AddLight(vtkLight())
+            self.assertEqual(self.draw(*scene), [])
 
     def test_camera_that_sees_nothing(self):
         mapper, volume, renderer = make_scene(make_waves(), 150.0)
