@@ -20,7 +20,7 @@ from paraview.simple import (  # noqa: E402
     SaveState,
     Show,
 )
-from paraview import smtrace  # noqa: E402
+from paraview import smstate, smtrace  # noqa: E402
 
 import Scenes  # noqa: E402
 
@@ -46,8 +46,10 @@ def states_and_sizes():
     view.UseInteractiveRenderingForScreenshots = 1
     write_picture("interactive", view)
     view.UseInteractiveRenderingForScreenshots = 0
-    for kind in ("pvsm", "py"):
-        SaveState(os.path.join(FOLDER, f"state.{kind}"))
+    SaveState(os.path.join(FOLDER, "state.pvsm"))
+    # SaveState of a script writes no Python; the window does it so.
+    with open(os.path.join(FOLDER, "state.py"), "w") as file:
+        file.write(smstate.get_state())
 
 
 def trace():
