@@ -77,8 +77,10 @@ def cast_rays(
 def _to_rows(name, vectors):
     remedy = "give rows of three finite numbers"
     rows = np.atleast_2d(to_array(name, vectors, remedy))
-    if rows.ndim != 2 or rows.shape[1] != 3 or not np.isfinite(rows).all():
+    if rows.ndim != 2 or rows.shape[1] != 3:
         raise ValueError(f"{name} have the shape {np.shape(vectors)}; {remedy}")
+    for row in np.flatnonzero(~np.isfinite(rows).all(axis=1))[:1]:
+        raise ValueError(f"row {row} of the {name} is {tuple(rows[row].tolist())}; {remedy}")
     return rows
 
 

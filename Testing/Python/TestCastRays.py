@@ -84,7 +84,8 @@ class TestCastRays(unittest.TestCase):
         for origins, directions, message in (
             ([1, 2], [1, 0, 0], "origins have the shape"),
             ([[[1, 2, 3]]], [1, 0, 0], "origins have the shape"),
-            ([1, 2, np.nan], [1, 0, 0], "origins have the shape"),
+            ([1, 2, np.nan], [1, 0, 0], r"row 0 of the origins is \(1\.0, 2\.0, nan\)"),
+            ([1, 2, 3], [[1, 0, 0], [0, np.inf, 0]], r"row 1 of the directions is \(0\.0, inf, 0\.0\)"),
             ([1, 2, 3], [[1, 0], [0, 1]], "directions have the shape"),
             (np.zeros((2, 3)), np.ones((3, 3)), "2 origins and 3 directions"),
             (np.zeros((3, 3)), [[1, 0, 0], [0, 0, 0], [0, 1, 0]], r"direction of ray 1 is \(0, 0, 0\)"),
