@@ -200,14 +200,14 @@ public:
   ///@{
   /**
    * Several connections of the first port (AddInputConnection) are drawn together: hits are in the
-   * order of each ray, whatever data they are of; of caps in one plane, that of the first
-   * connection is in front. The volume of a connection, counted from 0, gives its data their own
-   * property (isovalues, colours, opacities, material) and their place: its matrix leads from the
-   * coordinates of the data to those of the volume that the mapper draws. If it is not visible
-   * (VisibilityOff), nothing of the connection is: no ray hits it, and the bounds are those of the
-   * others. Data without points are passed over, unless no connection has any. The volume must not
-   * be in a renderer by itself. Null, the default: the property is that of the drawn volume, and
-   * the data are where they are. Cells are numbered through all connections.
+   * order of each ray, whatever data they are of; of surfaces at one place, and of caps in one
+   * plane, that of the first connection is in front. The volume of a connection, counted from 0,
+   * gives its data their own property (isovalues, colours, opacities, material) and their place:
+   * its matrix leads from the coordinates of the data to those of the volume that the mapper draws.
+   * If it is not visible (VisibilityOff), nothing of the connection is: no ray hits it, and the
+   * bounds are those of the others. Data without points are passed over, unless no connection has
+   * any. The volume must not be in a renderer by itself. Null, the default: the property is that of
+   * the drawn volume, and the data are where they are. Cells are numbered through all connections.
    */
   void SetConnectionVolume(int connection, vtkVolume* volume);
   vtkVolume* GetConnectionVolume(int connection) const;

@@ -428,6 +428,48 @@ TEST(ScenesOfFields, OfCapsInOnePlaneThatOfTheFirstFieldIsInFront)
 }
 
 //------------------------------------------------------------------------------
+/// Whatever the rounding of each field, and whichever is opaque.
+TEST(ScenesOfFields, OfSurfacesAtOnePlaceThatOfTheFirstFieldIsInFront)
+{
+  PlacedImage a(
+    AnalyticFields::Sphere{ { 12.0, 12.0, 12.0 }, 8.0 }, Translation({ -12.0, -12.0, -12.0 }));
+  // Its values are the same; a turn and back leaves rounding.
+  PlacedImage b(AnalyticFields::Sphere{ { 12.0, 12.0, 12.0 }, 8.0 },
+    Multiply(
+      Rotation(-0.7, 0.0), Multiply(Rotation(0.7, 0.0), Translation({ -12.0, -12.0, -12.0 }))));
+  for (const double opacityOfA : { 1.0, 0.4 })
+  {
+    for (const double opacityOfB : { 1.0, 0.4 })
+    {
+      a.Select(opacityOfA);
+      b.Select(opacityOfB);
+      const SceneField shown[] = { Show(a, Red), Show(b, Green) };
+      for (const std::size_t first : { 0U, 1U })
+      {
+        const SceneField& front = shown[first];
+        const SceneField& back = shown[1 - first];
+        const Frame frame = Render({ front, back });
+        const RayHits cast =
+          CastRays({ front.Field, back.Field }, { MakeRays(front), MakeRays(back) }, 1);
+        int found = 0;
+        for (std::size_t ray = 0; ray < frame.Hits.size(); ++ray)
+        {
+          int next = 0;
+          for (std::size_t i = cast.First[ray]; i < cast.First[ray + 1]; ++i, ++found)
+          {
+            ASSERT_EQ(cast.Hits[i].Field, next) << ray;
+            const bool isHidden = front.Field->GetRequest().Surfaces[0].Opacity >= 1.0;
+            next = isHidden ? 0 : 1 - next;
+          }
+          ASSERT_EQ(frame.Hits[ray].Field, 0);
+        }
+        EXPECT_GT(found, 200);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 /// A floor, and a sphere above it on another lattice, under a light from straight above.
 TEST(ScenesOfFields, AFieldCastsItsShadowOnAnother)
 {

@@ -6,7 +6,7 @@
 #include "Field/FirstException.h"
 #include "Field/HitCollector.h"
 #include "Picture/OpaqueEnds.h"
-#include "Picture/PlanesOfCaps.h"
+#include "Picture/PlacesOfHits.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -84,12 +84,14 @@ void TracePacket(const std::vector<TracedField*>& fields,
     TraceField(*fields.front(), &rays.front()[first], count, ends, packet, hits);
     return;
   }
-  PlanesOfCaps planes;
   std::vector<RayHits> ofFields(fields.size());
   for (std::size_t i = 0; i < fields.size(); ++i)
   {
     TraceField(*fields[i], &rays[i][first], count, ends, packet, ofFields[i]);
-    planes.MoveCaps(fields[i]->GetRequest(), ofFields[i]);
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      MoveToEarlier(*fields[k], ofFields[k], *fields[i], packet, ofFields[i]);
+    }
     ends.Add(fields[i]->GetRequest(), ofFields[i]);
   }
   Join(fields, ofFields, count, hits);

@@ -3,6 +3,8 @@
 
 #include "Picture/PixelBlockRenderer.h"
 
+#include "Picture/PlacesOfHits.h"
+
 #include <algorithm>
 
 namespace vtkIsosurfaceRayTracing
@@ -75,7 +77,6 @@ void PixelBlockRenderer::Trace(const PixelRectangle* blocks, int count)
   for (int block = 0; block < count; ++block)
   {
     this->Ends[block].Clear();
-    this->Planes[block].Clear();
   }
   // Projections last: they end at the surfaces of all fields.
   const std::vector<SceneField>& fields = this->TheScene.Fields;
@@ -111,7 +112,11 @@ void PixelBlockRenderer::TraceField(std::size_t number)
     {
       hit.Field = static_cast<int>(number);
     }
-    this->Planes[block].MoveCaps(field.GetRequest(), hits);
+    for (std::size_t i = 0; i < number; ++i)
+    {
+      MoveToEarlier(*this->TheScene.Fields[i].Field, this->GetTraced(i, block).Hits, field,
+        this->GetTraced(number, block).Rays, hits);
+    }
     this->Ends[block].Add(field.GetRequest(), hits);
   }
 }

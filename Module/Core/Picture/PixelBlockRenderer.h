@@ -6,7 +6,6 @@
 
 #include "Picture/Compositor.h"
 #include "Picture/OpaqueEnds.h"
-#include "Picture/PlanesOfCaps.h"
 #include "Picture/RenderTiles.h"
 #include "Picture/Scene.h"
 #include "Picture/Shader.h"
@@ -84,7 +83,6 @@ private:
   std::vector<std::unique_ptr<TracedField::Beam>> Beams;
   /// Of each block.
   OpaqueEnds Ends[MaximumBlocks];
-  PlanesOfCaps Planes[MaximumBlocks];
   std::vector<Fragments> FragmentsOfFields;
   Fragments Merged;
   /// May be null.
