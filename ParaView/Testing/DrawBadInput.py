@@ -37,6 +37,11 @@ def outside_range(view):
     Scenes.show(Scenes.make_wavelet(), view, isovalues=(1e6,))
 
 
+def no_light(view):
+    view.UseLight = 0  # the Light Kit
+    Scenes.show(Scenes.make_wavelet(), view)
+
+
 def fails_to_read(view):
     """In the last process."""
     source = ProgrammableFilter(Input=Scenes.make_wavelet(), OutputDataSetType="Same as Input")

@@ -13,6 +13,7 @@ MESSAGES = {
     "polygons": "vtkPolyData",
     "missing_color_array": 'There is no array named "absent" in the input to colour by',
     "outside_range": "",
+    "no_light": "No light is on",
     "fails_to_read": "RuntimeError: this process cannot read",
     "missing_in_a_time_step": 'There is no array "RTData" of points or cells to contour',
 }
