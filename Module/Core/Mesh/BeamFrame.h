@@ -21,9 +21,9 @@ namespace vtkIsosurfaceRayTracing
 class BeamFrame
 {
 public:
-  /// Finds the frame of the rays between some lines that pass through one point, or are parallel,
-  /// as they go through a box. Of these the labels are in [-1, 1]. Returns false if there is none:
-  /// the lines do neither, or do not go one way along an axis.
+  /// Finds the frame of the rays between some lines, two at least, that pass through one point, or
+  /// are parallel, as they go through a box. Of these the labels are in [-1, 1]. Returns false if
+  /// there is none: the lines do neither, or do not go one way along an axis.
   bool Find(const RayPacket& lines, const RaySet& some, const Bounds& box);
 
   /// Finds that of one line, which has the label 0. Returns false if it goes nowhere, or rounding
