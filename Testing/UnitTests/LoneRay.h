@@ -43,8 +43,8 @@ struct LoneRay
     const double before = random.Integer(0, 2) == 0 ? random.Uniform(0.0, 100.0) : 0.0;
     AppendBoxedRay(box, random.PointInBox(box.Lower, box.Upper) - direction * before, direction,
       before + begin, before + end, this->Packet);
-    this->HasFrame = (this->Packet.Exists.Words[0] & 1U) != 0 &&
-      this->Frame.Find(this->Packet, this->Packet.Exists, box);
+    this->HasFrame =
+      (this->Packet.Exists.Words[0] & 1U) != 0 && this->Frame.FindAlone(this->Packet, 0, box);
     if (this->HasFrame)
     {
       const BeamNumbers& numbers = this->Frame.GetNumbers();
