@@ -60,7 +60,8 @@ OutgoingRays MakeOutgoingRays(
     const Vector3 direction = areCoherent ? common + random.Direction() * 0.05
                                           : random.Direction() * random.Uniform(0.5, 2);
     const Vector3 gradient = field.GetGradient(hit, NormalMode::InterpolantGradient);
-    rays.Departures[rays.Packet.Count] = { hit.Surface, Dot(gradient, direction) > 0.0 };
+    rays.Departures[rays.Packet.Count] = { hit.Surface, Dot(gradient, direction) > 0.0, hit.Member,
+      hit.Cell };
     const double end = random.Integer(0, 1) ? Infinity : random.Uniform(0.5, 30.0);
     field.AddRay(field.GetPoint(hit), direction, 0.0, end, rays.Packet);
   }
@@ -260,7 +261,8 @@ TEST_P(Transmittance, OfSurfacesInMeshesOfAnySize)
       const Vector3 start = field.GetPoint(hit);
       const Vector3 direction = random.Direction();
       const Vector3 gradient = field.GetGradient(hit, NormalMode::InterpolantGradient);
-      const Departure departure = { hit.Surface, Dot(gradient, direction) > 0.0 };
+      const Departure departure = { hit.Surface, Dot(gradient, direction) > 0.0, hit.Member,
+        hit.Cell };
       RayPacket packets[2];
       double transmittance[2];
       packets[0].Clear();
