@@ -43,7 +43,6 @@ set(core_sources
   Mesh/CutPlace.cxx
   Mesh/FaceCrossing.cxx
   Mesh/HitOrder.cxx
-  Mesh/LoneTracer.cxx
   Mesh/MeshBeam.cxx
   Mesh/MeshCaps.cxx
   Mesh/MeshCells.cxx
@@ -51,10 +50,12 @@ set(core_sources
   Mesh/MeshField.cxx
   Mesh/MeshRay.cxx
   Mesh/NearestNodes.cxx
-  Mesh/NodesOnRay.cxx
+  Mesh/NodesInPencil.cxx
   Mesh/PairSolver.cxx
+  Mesh/PencilTracer.cxx
   Mesh/PointGradients.cxx
   Mesh/RayHitsInCells.cxx
+  Mesh/RayPencil.cxx
   Mesh/ShapeFunctions.cxx
   Mesh/SurfacePieces.cxx
   Mesh/TrilinearSystem.cxx

@@ -288,8 +288,7 @@ TEST_P(HexahedronKernels, FindTheBoxesOnARay)
     {
       continue;
     }
-    const unsigned int pieces = this->TheKernels.FindPiecesOnRay(
-      cells.Set, ray.Frame.GetNumbers(), ray.Frame.GetRay(ray.Begin), ray.End);
+    const unsigned int pieces = ray.FindPieces(this->TheKernels, cells.Set);
     ASSERT_EQ(pieces >> cells.Count, 0U);
     for (int cell = 0; cell < cells.Count; ++cell)
     {

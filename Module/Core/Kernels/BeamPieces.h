@@ -66,6 +66,31 @@ struct RayThroughBoxes
   float Begin;
 };
 
+/// A pencil, rays that go one way along an axis, as it comes to boxes. A ray may be in a box
+/// between depths that are linear functions, about, of coordinates of its sides; of one ray they
+/// are those of RayThroughBoxes.
+struct PencilThroughBoxes
+{
+  static constexpr int Sides = 6;
+
+  struct Side
+  {
+    int Axis;
+    bool IsUpper;
+    /// The depth at a coordinate, for each step of it, and at 0, with a margin for rounding.
+    float Rate;
+    float Depth;
+  };
+
+  /// The first ones are those that rays are behind.
+  Side Bounds[Sides];
+  int NumberOfEntries;
+  /// The depth that the first ray begins at.
+  float Begin;
+  /// Whether most go up the last axis.
+  bool IsUp;
+};
+
 /// The bounds of what is in a beam: a rectangle of labels, and the depth it begins at.
 struct LabelBounds
 {
@@ -115,6 +140,50 @@ struct BeamNumbers
   double Length;
   /// By how much the labels of rays may be wrong.
   float Margin;
+};
+
+/// Rays of a packet that make no beam, each as a beam of its own.
+struct LoneRays
+{
+  static constexpr int Capacity = RayPacket::Capacity;
+
+  // Of each ray of the packet.
+  BeamNumbers Frame[Capacity];
+  RayThroughBoxes Through[Capacity];
+
+  /// The ray of the packet in each place.
+  int Ray[Capacity];
+  // The numbers of RayThroughBoxes in places, and the depth that a ray ends at. Behind the last one
+  // there is room for a vector.
+  static constexpr int Room = 16;
+  alignas(64) float Rate[3][Capacity + Room];
+  alignas(64) float Earlier[3][Capacity + Room];
+  alignas(64) float Later[3][Capacity + Room];
+  alignas(64) float Begin[Capacity + Room];
+  alignas(64) float End[Capacity + Room];
+
+  /// Puts a ray that goes through boxes into a place, but for its end.
+  void Place(int ray, int place)
+  {
+    const RayThroughBoxes& through = this->Through[ray];
+    this->Ray[place] = ray;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Rate[axis][place] = through.Rate[axis];
+      this->Earlier[axis][place] = through.Earlier[axis];
+      this->Later[axis][place] = through.Later[axis];
+    }
+    this->Begin[place] = through.Begin;
+  }
+};
+
+/// Pieces of a set that some rays may meet.
+struct MetPieces
+{
+  /// For so many rays, the place of each, and a bit for each piece.
+  int Count;
+  int Place[LoneRays::Capacity];
+  unsigned int Pieces[LoneRays::Capacity];
 };
 
 /// By how much the label of a ray is wrong within the box, where W is not too small, given where it

@@ -354,18 +354,14 @@ struct Kernels
   unsigned int (*ProjectChildren)(const CellTreeNode& node, const BeamProjection& beam,
     const IsovalueSpan* isovalues, int count, LabelBounds& bounds);
 
-  /// Finds the children of a node that a ray may meet before a depth and one of the isovalues is
+  /// Finds the children of a node that a pencil may meet before a depth and one of the isovalues is
   /// in, and the depths that it comes to them at; a bit for each.
-  unsigned int (*FindChildrenOnRay)(const CellTreeNode& node, const RayThroughBoxes& ray, float end,
-    const IsovalueSpan* isovalues, int count, float* near);
+  unsigned int (*FindChildrenInPencil)(const CellTreeNode& node, const PencilThroughBoxes& pencil,
+    float end, const IsovalueSpan* isovalues, int count, float* near);
 
   /// Finds the children of a node that a place may be in, and that reach its least value; a bit for
   /// each.
   unsigned int (*FindChildrenAround)(const CellTreeNode& node, const PlaceInBoxes& place);
-
-  /// Finds the sets of pieces that a ray may meet before a depth, of up to 32; a bit for each.
-  unsigned int (*FindSetsOnRay)(
-    const PackedPieces* sets, int count, const RayThroughBoxes& ray, float end);
 
   /// Finds the extents of cells, given the ids of their corners, 4 or 8 of each. One for every
   /// ScalarType of values.
@@ -392,10 +388,10 @@ struct Kernels
   /// ...or one of pieces in other cells, with corners as in PassedCellRecords.
   void (*PackBoxes)(const double (*corners)[PassedCellRecords::Corners][4], PackedPieces& packed);
 
-  /// Finds the packed pieces that a ray may meet before a depth, given its frame as a beam of one
-  /// ray; a bit for each.
-  unsigned int (*FindPiecesOnRay)(
-    const PackedPieces& packed, const BeamNumbers& frame, const RayThroughBoxes& ray, float end);
+  /// Looks for the first set, from one on, with pieces that rays in some consecutive places may
+  /// meet before they end, and finds these. Returns the number of the set behind it.
+  int (*FindPiecesOnRays)(const PackedPieces* sets, int firstSet, int numberOfSets,
+    const LoneRays& rays, int firstPlace, int count, MetPieces& met);
 
   /// Bounds the pieces of surfaces in cells as a beam sees them: in tetrahedra, or in trilinear
   /// cells.

@@ -134,9 +134,9 @@ SIMD_INLINE void LoadCorner(
     MoveRays, Align, FindPassages, FindMembersOfRay, FindPassage, FOR_ALL_TYPES(ClassifyCells),    \
     FOR_ALL_TYPES(FindRanges), FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve,       \
     SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,                          \
-    FOR_ALL_TYPES(IncludeRow), FrameRays, FindFrames, EndRays, ProjectChildren, FindChildrenOnRay, \
-    FindChildrenAround, FindSetsOnRay, FOR_ALL_TYPES(FindExtents), WeightGradients,                \
-    FindCornerGradients, SumAtCorners, PackPolygons, PackBoxes, FindPiecesOnRay,                   \
+    FOR_ALL_TYPES(IncludeRow), FrameRays, FindFrames, EndRays, ProjectChildren,                    \
+    FindChildrenInPencil, FindChildrenAround, FOR_ALL_TYPES(FindExtents), WeightGradients,         \
+    FindCornerGradients, SumAtCorners, PackPolygons, PackBoxes, FindPiecesOnRays,                  \
     BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear,     \
     FindMetChildren, FindMetCells, MakeCloudRays, ProjectTetrahedra,                               \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a single ray may meet in a mesh. Included by Kernels.inl only.
+// What single rays may meet in a mesh. Included by Kernels.inl only.
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
 
-unsigned int FindChildrenOnRay(const CellTreeNode& node, const RayThroughBoxes& ray, float end,
-  const IsovalueSpan* isovalues, int count, float* near)
+unsigned int FindChildrenInPencil(const CellTreeNode& node, const PencilThroughBoxes& pencil,
+  float end, const IsovalueSpan* isovalues, int count, float* near)
 {
   unsigned int found = 0;
   for (int i = 0; i < CellTreeNode::Width; i += FloatWidth)
@@ -19,16 +19,20 @@ unsigned int FindChildrenOnRay(const CellTreeNode& node, const RayThroughBoxes& 
     {
       continue;
     }
-    Floats entry = ray.Begin;
-    Floats exit = end;
-    for (int axis = 0; axis < 3; ++axis)
+    const auto getDepths = [&node, i](const PencilThroughBoxes::Side& side)
     {
-      const float* lower = &node.Lower[axis][i];
-      const float* upper = &node.Upper[axis][i];
-      const Floats first = LoadFloats(ray.IsUp[axis] ? lower : upper);
-      const Floats last = LoadFloats(ray.IsUp[axis] ? upper : lower);
-      entry = Max(entry, MultiplyAdd(ray.Rate[axis], first, ray.Earlier[axis]));
-      exit = Min(exit, MultiplyAdd(ray.Rate[axis], last, ray.Later[axis]));
+      const auto& coordinates = side.IsUpper ? node.Upper : node.Lower;
+      return MultiplyAdd(side.Rate, LoadFloats(&coordinates[side.Axis][i]), side.Depth);
+    };
+    Floats entry = pencil.Begin;
+    Floats exit = end;
+    for (int side = 0; side < pencil.NumberOfEntries; ++side)
+    {
+      entry = Max(entry, getDepths(pencil.Bounds[side]));
+    }
+    for (int side = pencil.NumberOfEntries; side < PencilThroughBoxes::Sides; ++side)
+    {
+      exit = Min(exit, getDepths(pencil.Bounds[side]));
     }
     StoreFloats(entry, &near[i]);
     found |= (active & ~ToBits(exit < entry)) << i;
@@ -36,25 +40,64 @@ unsigned int FindChildrenOnRay(const CellTreeNode& node, const RayThroughBoxes& 
   return found;
 }
 
-/// Without branches: whether a ray meets a box is unpredictable.
-unsigned int FindSetsOnRay(
-  const PackedPieces* sets, int count, const RayThroughBoxes& ray, float end)
+/// Those of up to so many rays in consecutive places as a vector has that may meet a set of pieces;
+/// a bit for each.
+SIMD_INLINE unsigned int FindSomeRaysAtSet(
+  const PackedPieces& set, const LoneRays& rays, int firstPlace, int count)
 {
-  unsigned int found = 0;
-  for (int i = 0; i < count; ++i)
+  Floats entry = LoadFloats(&rays.Begin[firstPlace]);
+  Floats exit = LoadFloats(&rays.End[firstPlace]);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    float entry = ray.Begin;
-    float exit = end;
-    for (int axis = 0; axis < 3; ++axis)
+    const Floats rate = LoadFloats(&rays.Rate[axis][firstPlace]);
+    const Floats lower = rate * set.Lower[axis];
+    const Floats upper = rate * set.Upper[axis];
+    entry = Max(entry, Min(lower, upper) + LoadFloats(&rays.Earlier[axis][firstPlace]));
+    exit = Min(exit, Max(lower, upper) + LoadFloats(&rays.Later[axis][firstPlace]));
+  }
+  return ~ToBits(exit < entry) & ((1U << count) - 1U);
+}
+
+/// Whether a ray may meet a set of pieces before a depth.
+SIMD_INLINE bool MayMeetSet(const PackedPieces& set, const RayThroughBoxes& ray, float end)
+{
+  float entry = ray.Begin;
+  float exit = end;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const float lower = ray.Rate[axis] * set.Lower[axis];
+    const float upper = ray.Rate[axis] * set.Upper[axis];
+    const float first = (lower < upper ? lower : upper) + ray.Earlier[axis];
+    const float last = (lower < upper ? upper : lower) + ray.Later[axis];
+    entry = entry < first ? first : entry;
+    exit = last < exit ? last : exit;
+  }
+  return !(exit < entry);
+}
+
+/// Those of some rays in consecutive places that may meet a set of pieces, counted from the first
+/// of them.
+SIMD_INLINE RaySet FindRaysAtSet(
+  const PackedPieces& set, const LoneRays& rays, int firstPlace, int count)
+{
+  RaySet found = {};
+  if (count == 1)
+  {
+    const int ray = rays.Ray[firstPlace];
+    found.Words[0] = MayMeetSet(set, rays.Through[ray], rays.End[firstPlace]) ? 1 : 0;
+    return found;
+  }
+  for (int word = 0; 64 * word < count; ++word)
+  {
+    std::uint64_t bits = 0;
+    const int last = count < 64 * (word + 1) ? count : 64 * (word + 1);
+    for (int i = 64 * word; i < last; i += FloatWidth)
     {
-      const float lower = sets[i].Lower[axis];
-      const float upper = sets[i].Upper[axis];
-      const float first = ray.Rate[axis] * (ray.IsUp[axis] ? lower : upper) + ray.Earlier[axis];
-      const float last = ray.Rate[axis] * (ray.IsUp[axis] ? upper : lower) + ray.Later[axis];
-      entry = entry < first ? first : entry;
-      exit = last < exit ? last : exit;
+      const int some = last - i < FloatWidth ? last - i : FloatWidth;
+      bits |= static_cast<std::uint64_t>(FindSomeRaysAtSet(set, rays, firstPlace + i, some))
+        << (i % 64);
     }
-    found |= static_cast<unsigned int>(!(exit < entry)) << i;
+    found.Words[word] = bits;
   }
   return found;
 }
@@ -83,13 +126,41 @@ struct RayThroughSteps
   }
 };
 
-/// The pieces of a set with so many corners whose boxes a ray may meet before a depth; a bit for
-/// each.
-template <int Corners>
-SIMD_INLINE unsigned int FindBoxedPiecesOnRay(
-  const PackedPieces& packed, const RayThroughBoxes& ray, float end)
+/// The boxes of the pieces of a set, in steps of its own.
+struct BoxesInSteps
 {
-  constexpr unsigned int mask = PackedPieces::Steps;
+  alignas(64) float Lower[3][PackedPieces::Capacity];
+  alignas(64) float Upper[3][PackedPieces::Capacity];
+
+  /// Of pieces with so many corners.
+  template <int Corners>
+  SIMD_INLINE void Unpack(const PackedPieces& packed)
+  {
+    constexpr unsigned int mask = PackedPieces::Steps;
+    for (int i = 0; i < packed.Count; i += FloatWidth)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        Floats lower = GetBits(&packed.Polygons[0][i], PackedPieces::Bits * axis, mask);
+        Floats upper = lower;
+        for (int corner = 1; corner < Corners; ++corner)
+        {
+          const Floats place =
+            GetBits(&packed.Polygons[corner][i], PackedPieces::Bits * axis, mask);
+          lower = Min(lower, place);
+          upper = Max(upper, place);
+        }
+        StoreFloats(lower, &this->Lower[axis][i]);
+        StoreFloats(upper, &this->Upper[axis][i]);
+      }
+    }
+  }
+};
+
+/// Those of the pieces of a set whose boxes a ray may meet before a depth; a bit for each.
+SIMD_INLINE unsigned int FindBoxesOnRay(
+  const PackedPieces& packed, const BoxesInSteps& boxes, const RayThroughBoxes& ray, float end)
+{
   const RayThroughSteps steps(packed, ray);
   unsigned int found = 0;
   for (int i = 0; i < packed.Count; i += FloatWidth)
@@ -98,16 +169,10 @@ SIMD_INLINE unsigned int FindBoxedPiecesOnRay(
     Floats exit = end;
     for (int axis = 0; axis < 3; ++axis)
     {
-      Floats lower = GetBits(&packed.Polygons[0][i], PackedPieces::Bits * axis, mask);
-      Floats upper = lower;
-      for (int corner = 1; corner < Corners; ++corner)
-      {
-        const Floats place = GetBits(&packed.Polygons[corner][i], PackedPieces::Bits * axis, mask);
-        lower = Min(lower, place);
-        upper = Max(upper, place);
-      }
-      const Floats first = ray.IsUp[axis] ? lower : upper;
-      const Floats last = ray.IsUp[axis] ? upper : lower;
+      const float* lower = &boxes.Lower[axis][i];
+      const float* upper = &boxes.Upper[axis][i];
+      const Floats first = LoadFloats(ray.IsUp[axis] ? lower : upper);
+      const Floats last = LoadFloats(ray.IsUp[axis] ? upper : lower);
       entry = Max(entry, MultiplyAdd(steps.Rate[axis], first, steps.Earlier[axis]));
       exit = Min(exit, MultiplyAdd(steps.Rate[axis], last, steps.Later[axis]));
     }
@@ -160,16 +225,49 @@ SIMD_INLINE unsigned int FindPolygonsOnRay(
   return among & ~beside;
 }
 
-/// Boxes come first: of most sets none is met.
-unsigned int FindPiecesOnRay(
-  const PackedPieces& packed, const BeamNumbers& frame, const RayThroughBoxes& ray, float end)
+/// Those of the pieces of a set that a ray may meet. Boxes come first: of most sets none is met.
+SIMD_INLINE unsigned int FindPiecesOnRay(
+  const PackedPieces& packed, const BoxesInSteps& boxes, const LoneRays& rays, int place)
 {
-  if (!packed.AreInTetrahedra)
+  const int ray = rays.Ray[place];
+  const unsigned int found = FindBoxesOnRay(packed, boxes, rays.Through[ray], rays.End[place]);
+  return found != 0 && packed.AreInTetrahedra ? FindPolygonsOnRay(packed, rays.Frame[ray], found)
+                                              : found;
+}
+
+int FindPiecesOnRays(const PackedPieces* sets, int firstSet, int numberOfSets, const LoneRays& rays,
+  int firstPlace, int count, MetPieces& met)
+{
+  met.Count = 0;
+  int set = firstSet;
+  while (met.Count == 0 && set < numberOfSets)
   {
-    return FindBoxedPiecesOnRay<2>(packed, ray, end);
+    const PackedPieces& packed = sets[set++];
+    const RaySet atSet = FindRaysAtSet(packed, rays, firstPlace, count);
+    if (IsEmpty(atSet))
+    {
+      continue;
+    }
+    BoxesInSteps boxes;
+    if (packed.AreInTetrahedra)
+    {
+      boxes.Unpack<PackedPieces::Corners>(packed);
+    }
+    else
+    {
+      boxes.Unpack<2>(packed);
+    }
+    ForEachRay(atSet,
+      [&](int i)
+      {
+        const int place = firstPlace + i;
+        const unsigned int found = FindPiecesOnRay(packed, boxes, rays, place);
+        met.Place[met.Count] = place;
+        met.Pieces[met.Count] = found;
+        met.Count += found != 0 ? 1 : 0;
+      });
   }
-  const unsigned int found = FindBoxedPiecesOnRay<PackedPieces::Corners>(packed, ray, end);
-  return found == 0 ? 0 : FindPolygonsOnRay(packed, frame, found);
+  return set;
 }
 
 }

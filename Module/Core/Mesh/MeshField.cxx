@@ -10,11 +10,11 @@
 #include "Mesh/CellHits.h"
 #include "Mesh/HitOrder.h"
 #include "Mesh/HitsOfRays.h"
-#include "Mesh/LoneTracer.h"
 #include "Mesh/MeshBeam.h"
 #include "Mesh/MeshCaps.h"
 #include "Mesh/MeshCloud.h"
 #include "Mesh/MeshRay.h"
+#include "Mesh/PencilTracer.h"
 #include "Mesh/ShapeFunctions.h"
 #include "Rays/AppendBoxedRay.h"
 
@@ -70,7 +70,7 @@ class MeshField::ThreadBeam final : public Beam
 public:
   MeshBeam Pieces;
   BeamTracer Tracer;
-  LoneTracer LoneRays;
+  PencilTracer OtherRays;
   HitsOfRays Hits;
 };
 
@@ -329,7 +329,7 @@ RaySet MeshField::TraceTogether(
   if (!IsEmpty(others))
   {
     traced = Unite(
-      traced, thread.LoneRays.Trace(this->Selection, packet, others, departures, thread.Hits));
+      traced, thread.OtherRays.Trace(this->Selection, packet, others, departures, thread.Hits));
   }
   return traced;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef NodesOnRay_h
-#define NodesOnRay_h
+#ifndef NodesInPencil_h
+#define NodesInPencil_h
 
 #include "Kernels/BeamPieces.h"
 #include "Mesh/MeshSelection.h"
@@ -12,18 +12,16 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The leaves of the tree that a single ray may meet, depth first, and about front to back. (Those
-/// of a beam come front to back, which takes more for each.)
-class NodesOnRay
+/// The leaves of the tree that a pencil of rays may meet, depth first, and about front to back.
+/// (Those of a beam come front to back, which takes more for each.)
+class NodesInPencil
 {
 public:
   /// Begins at the root. The selection must have a tree with nodes, and kernels.
-  void Begin(const MeshSelection& selection, const RayThroughBoxes& ray);
+  void Begin(const MeshSelection& selection, const PencilThroughBoxes& pencil);
 
   /// Finds the next leaf before a depth. Returns false if there is none.
   bool FindLeaf(const MeshSelection& selection, float end, std::size_t& leaf);
-
-  const RayThroughBoxes& GetRay() const { return this->Ray; }
 
 private:
   /// A node of the tree, and a depth that it is behind.
@@ -39,7 +37,7 @@ private:
   /// Nodes of the lowest of so many levels would hold 2^32 cells.
   static constexpr std::size_t MaximumLevels = 7;
 
-  RayThroughBoxes Ray;
+  PencilThroughBoxes Pencil;
   /// The next one last.
   Node Nodes[MaximumLevels * CellTreeNode::Width];
   std::size_t Count = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Mesh/NodesOnRay.h"
+#include "Mesh/NodesInPencil.h"
 
 #include "Math/Compiler.h"
 
@@ -9,15 +9,15 @@ namespace vtkIsosurfaceRayTracing
 {
 
 //------------------------------------------------------------------------------
-void NodesOnRay::Begin(const MeshSelection& selection, const RayThroughBoxes& ray)
+void NodesInPencil::Begin(const MeshSelection& selection, const PencilThroughBoxes& pencil)
 {
-  this->Ray = ray;
-  this->Nodes[0] = { ray.Begin, selection.Tree->GetNumberOfLevels() - 1, 0 };
+  this->Pencil = pencil;
+  this->Nodes[0] = { pencil.Begin, selection.Tree->GetNumberOfLevels() - 1, 0 };
   this->Count = 1;
 }
 
 //------------------------------------------------------------------------------
-bool NodesOnRay::FindLeaf(const MeshSelection& selection, float end, std::size_t& leaf)
+bool NodesInPencil::FindLeaf(const MeshSelection& selection, float end, std::size_t& leaf)
 {
   while (this->Count > 0)
   {
@@ -37,18 +37,18 @@ bool NodesOnRay::FindLeaf(const MeshSelection& selection, float end, std::size_t
 }
 
 //------------------------------------------------------------------------------
-/// Adds the children of a node that are on the ray. Those that are first along the last axis, which
-/// counts most in the order of cells, come first, if cells are in this order: to sort children by
-/// depth takes more time than it saves.
-void NodesOnRay::Expand(const MeshSelection& selection, int level, std::size_t number, float end)
+/// Adds the children of a node that are in the pencil. Those that are first along the last axis,
+/// which counts most in the order of cells, come first, if cells are in this order: to sort
+/// children by depth takes more time than it saves.
+void NodesInPencil::Expand(const MeshSelection& selection, int level, std::size_t number, float end)
 {
   float near[CellTreeNode::Width];
   unsigned int found =
-    selection.PacketKernels->FindChildrenOnRay(selection.Tree->GetNode(level, number), this->Ray,
-      end, selection.Spans.data(), static_cast<int>(selection.Spans.size()), near);
+    selection.PacketKernels->FindChildrenInPencil(selection.Tree->GetNode(level, number),
+      this->Pencil, end, selection.Spans.data(), static_cast<int>(selection.Spans.size()), near);
   while (found != 0)
   {
-    const int child = this->Ray.IsUp[2] ? HighestBit(found) : LowestBit(found);
+    const int child = this->Pencil.IsUp ? HighestBit(found) : LowestBit(found);
     found &= ~(1U << child);
     // Member by member: a copy of the whole would wait for these.
     Node& node = this->Nodes[this->Count++];

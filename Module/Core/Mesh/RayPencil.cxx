@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/RayPencil.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace vtkIsosurfaceRayTracing
+{
+
+//------------------------------------------------------------------------------
+RayPencil::RayPencil(const LoneRays& rays, int firstPlace, int count, const Bounds& box)
+  : Frame(rays.Frame[rays.Ray[firstPlace]])
+  , Box(box)
+{
+  const float* begins = rays.Begin + firstPlace;
+  // Nothing is met before the box: places far from there would be less precise.
+  const double reach = Length(box.Upper * 0.5 - box.Lower * 0.5);
+  this->Begin =
+    std::max(static_cast<double>(*std::min_element(begins, begins + count)), -4.0 * reach);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    double place[2] = { Infinity, -Infinity };
+    double rate[2] = { Infinity, -Infinity };
+    for (int i = 0; i < count; ++i)
+    {
+      const BeamNumbers& frame = rays.Frame[rays.Ray[firstPlace + i]];
+      const double rateOfRay = frame.Sign * frame.Slope[k];
+      const double placeOfRay = frame.Center[k] + rateOfRay * this->Begin;
+      place[0] = std::min(place[0], placeOfRay);
+      place[1] = std::max(place[1], placeOfRay);
+      rate[0] = std::min(rate[0], rateOfRay);
+      rate[1] = std::max(rate[1], rateOfRay);
+    }
+    for (std::size_t end = 0; end < 2; ++end)
+    {
+      this->Ends[k][end] = { place[end] - rate[end] * this->Begin, rate[end] };
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+PencilThroughBoxes RayPencil::GetBounds() const
+{
+  // A smaller rate would move an end by less than the room that there is for rounding.
+  constexpr double least = 0x1p-22;
+  PencilThroughBoxes bounds{};
+  int entries = 0;
+  int exits = PencilThroughBoxes::Sides;
+  const auto add = [&](int axis, bool isUpper, const Edge& edge, double reach)
+  {
+    // The lower end is below the upper side of a box, and the upper end above the lower side: while
+    // the depth is larger than there, or until then.
+    const double inverse = 1.0 / std::copysign(std::max(std::abs(edge.Rate), least), edge.Rate);
+    const bool isEntry = (inverse > 0.0) != isUpper;
+    const double depth = -edge.AtPlane * inverse;
+    const double room =
+      0x1p-19 * (reach + this->Frame.Length) * std::abs(inverse) + 0x1p-21 * std::abs(depth);
+    bounds.Bounds[isEntry ? entries++ : --exits] = { axis, isUpper, static_cast<float>(inverse),
+      static_cast<float>(isEntry ? depth - room : depth + room) };
+  };
+  const Edge ahead = { this->Frame.Plane, this->Frame.Sign };
+  double reach = 0.0;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const auto axis = static_cast<std::size_t>(this->Frame.Across[k]);
+    for (const Edge& edge : this->Ends[k])
+    {
+      reach = std::max({ reach, std::abs(this->Box.Lower[axis] - edge.AtPlane),
+        std::abs(this->Box.Upper[axis] - edge.AtPlane) });
+    }
+  }
+  add(this->Frame.Along, false, ahead, reach);
+  add(this->Frame.Along, true, ahead, reach);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    add(this->Frame.Across[k], true, this->Ends[k][0], reach);
+    add(this->Frame.Across[k], false, this->Ends[k][1], reach);
+  }
+  bounds.NumberOfEntries = entries;
+  bounds.Begin = static_cast<float>(this->Begin - 0x1p-20 * std::abs(this->Begin));
+  constexpr int last = 2;
+  const std::size_t k = this->Frame.Across[0] == last ? 0 : 1;
+  bounds.IsUp = (this->Frame.Along == last ? this->Frame.Sign
+                                           : this->Ends[k][0].Rate + this->Ends[k][1].Rate) > 0.0;
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
+PencilThroughBoxes RayPencil::GetBounds(const RayThroughBoxes& ray)
+{
+  PencilThroughBoxes bounds{};
+  bounds.NumberOfEntries = 3;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds.Bounds[axis] = { axis, !ray.IsUp[axis], ray.Rate[axis], ray.Earlier[axis] };
+    bounds.Bounds[axis + 3] = { axis, ray.IsUp[axis], ray.Rate[axis], ray.Later[axis] };
+  }
+  bounds.Begin = ray.Begin;
+  bounds.IsUp = ray.IsUp[2];
+  return bounds;
+}
+
+}
