@@ -35,6 +35,7 @@
 #include <exception>
 #include <iomanip>
 #include <iterator>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -150,25 +151,28 @@ Arguments ParseArguments(int argc, char* argv[])
 }
 
 //------------------------------------------------------------------------------
-/// Completes the name of the report, and tells before long measurements what cannot be written.
-void PrepareOutputs(Arguments& arguments)
+/// Makes the folder of the report and completes its name, and tells before long measurements what
+/// cannot be written.
+std::unique_ptr<Programs::OutputFolder> PrepareOutputs(Arguments& arguments)
 {
+  std::unique_ptr<Programs::OutputFolder> folder;
   if (!arguments.Report.empty())
   {
-    if (!vtksys::SystemTools::MakeDirectory(arguments.Report))
-    {
-      throw std::runtime_error("the folder " + arguments.Report + " cannot be created");
-    }
+    folder = std::make_unique<Programs::OutputFolder>(arguments.Report);
     arguments.Report += "/report.html";
   }
+  std::vector<std::string> fileNames;
   for (const std::string& fileName : { arguments.Csv, arguments.Json, arguments.Report })
   {
     if (!fileName.empty())
     {
       Programs::CheckIsNoInput(fileName, arguments.Input);
       Programs::CheckOutput(fileName);
+      fileNames.push_back(fileName);
     }
   }
+  Programs::CheckOutputsDiffer(fileNames);
+  return folder;
 }
 
 //------------------------------------------------------------------------------
@@ -354,7 +358,7 @@ int main(int argc, char* argv[])
       Programs::FlushStandardOutput();
       return EXIT_SUCCESS;
     }
-    PrepareOutputs(arguments);
+    const std::unique_ptr<Programs::OutputFolder> folder = PrepareOutputs(arguments);
     const Comparison comparison = Run(arguments, command);
     Print(comparison.Table);
     if (!arguments.Csv.empty())

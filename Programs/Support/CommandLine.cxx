@@ -4,6 +4,7 @@
 #include "CommandLine.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -28,10 +29,15 @@ double ToNumber(const std::string& text)
     throw std::runtime_error("unknown option " + text + "; see --help");
   }
   char* end = nullptr;
+  errno = 0;
   const double number = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0' || std::isnan(number))
   {
     throw std::runtime_error(text + " is not a number; see --help");
+  }
+  if (std::isinf(number) && errno == ERANGE)
+  {
+    throw std::runtime_error(text + " is beyond the largest number, 1.8e308");
   }
   return number;
 }
@@ -52,7 +58,17 @@ int ToInteger(const std::string& text)
 //------------------------------------------------------------------------------
 CommandLine::CommandLine(int argc, char* argv[])
 {
-  this->Parser.Initialize(argc, argv);
+  // The parser knows --option=value as an option of its own, which the help would list, too.
+  this->Parser.Initialize();
+  for (const std::string& argument : std::vector<std::string>(argv + 1, argv + argc))
+  {
+    const std::size_t end = argument.rfind("--", 0) == 0 ? argument.find('=') : std::string::npos;
+    this->Parser.ProcessArgument(argument.substr(0, end).c_str());
+    if (end != std::string::npos)
+    {
+      this->Parser.ProcessArgument(argument.substr(end + 1).c_str());
+    }
+  }
   this->Parser.StoreUnusedArguments(true);
   this->Parser.AddBooleanArgument("--help", &this->Help, "Show this text.");
 }

@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 
@@ -29,18 +30,18 @@ namespace fs = std::filesystem;
 }
 
 //------------------------------------------------------------------------------
-/// The files to remove if a signal ends the program.
+/// The files and folders to remove if a signal ends the program: folders before what is in them.
 std::array<std::atomic<const char*>, OutputFile::MostAtATime> ToRemove = {};
 static_assert(
   std::atomic<const char*>::is_always_lock_free, "or a signal handler must not read it");
 
-extern "C" void RemoveUnfinishedFile(int signal)
+extern "C" void RemoveUnfinished(int signal)
 {
-  for (const std::atomic<const char*>& name : ToRemove)
+  for (auto name = ToRemove.rbegin(); name != ToRemove.rend(); ++name)
   {
-    if (name.load())
+    if (name->load())
     {
-      std::remove(name.load());
+      std::remove(name->load());
     }
   }
   std::signal(signal, SIG_DFL);
@@ -70,7 +71,7 @@ void RemoveAtSignals(const char* name)
 #endif
        })
   {
-    if (std::signal(signal, RemoveUnfinishedFile) == SIG_IGN)
+    if (std::signal(signal, RemoveUnfinished) == SIG_IGN)
     {
       std::signal(signal, SIG_IGN); // nohup
     }
@@ -173,6 +174,35 @@ void OutputFile::Finish()
 }
 
 //------------------------------------------------------------------------------
+OutputFolder::OutputFolder(const std::string& name)
+{
+  std::error_code error;
+  for (fs::path path = fs::absolute(name); !fs::exists(path, error) && path.has_relative_path();
+       path = path.parent_path())
+  {
+    this->Made.push_front(path.string());
+  }
+  if (!vtksys::SystemTools::MakeDirectory(name))
+  {
+    throw std::runtime_error("the folder " + name + " cannot be created");
+  }
+  for (const std::string& folder : this->Made)
+  {
+    RemoveAtSignals(folder.c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
+OutputFolder::~OutputFolder()
+{
+  for (auto folder = this->Made.rbegin(); folder != this->Made.rend(); ++folder)
+  {
+    ReplaceToRemove(folder->c_str(), nullptr);
+    std::remove(folder->c_str()); // It stays if there is something in it.
+  }
+}
+
+//------------------------------------------------------------------------------
 void WriteFile(const std::string& text, const std::string& fileName)
 {
   OutputFile file(fileName);
@@ -184,6 +214,19 @@ void WriteFile(const std::string& text, const std::string& fileName)
 void CheckOutput(const std::string& fileName)
 {
   const OutputFile file(fileName);
+}
+
+//------------------------------------------------------------------------------
+void CheckOutputsDiffer(const std::vector<std::string>& fileNames)
+{
+  std::set<fs::path> targets;
+  for (const std::string& fileName : fileNames)
+  {
+    if (!IsDevice(fileName) && !targets.insert(fs::weakly_canonical(fileName)).second)
+    {
+      throw std::runtime_error(fileName + " is to be written twice: give another name");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

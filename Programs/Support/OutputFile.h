@@ -6,7 +6,9 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <deque>
 #include <string>
+#include <vector>
 
 namespace Programs
 {
@@ -18,8 +20,8 @@ namespace Programs
 class OutputFile
 {
 public:
-  /// Of more files that are open, a signal leaves what is unfinished.
-  static constexpr int MostAtATime = 4;
+  /// Of more files that are open, and folders that were made, a signal leaves what is unfinished.
+  static constexpr int MostAtATime = 16;
 
   explicit OutputFile(const std::string& name);
   ~OutputFile();
@@ -38,11 +40,30 @@ private:
   bool IsFinished = false;
 };
 
+/// A folder for output, which is made if there is none, with those that it is in. Those that were
+/// made and have nothing in them are removed in the end, or when a signal ends the program.
+class OutputFolder
+{
+public:
+  /// Before the files in it. Throws std::runtime_error if it cannot be made.
+  explicit OutputFolder(const std::string& name);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+private:
+  /// The outermost first.
+  std::deque<std::string> Made;
+};
+
 /// Writes a whole file.
 void WriteFile(const std::string& text, const std::string& fileName);
 
 /// Tells before long work whether a file can be written; an existing one stays as it is.
 void CheckOutput(const std::string& fileName);
+
+/// Throws std::runtime_error if one of the files would replace another.
+void CheckOutputsDiffer(const std::vector<std::string>& fileNames);
 
 /// Whether a name is that of a device, a pipe or the like, which is written to but not replaced.
 bool IsDevice(const std::string& fileName);

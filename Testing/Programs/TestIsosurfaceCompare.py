@@ -188,6 +188,15 @@ class TestIsosurfaceCompare(unittest.TestCase):
         self.assertEqual(int(rows[0]["Triangles"]), table["rows"][0]["Triangles"])
         self.assertIn("vtkSpanSpace", result.stdout)
 
+    def test_equals_signs(self):
+        """Options and values are also one argument; values may have signs of their own."""
+        table = self.folder / "a=b.json"
+        result = self.run_program(
+            f"--input={self.ball}", "--isovalue=60", 40, "--methods=flying-edges", f"--json={table}", "--repeats=1"
+        )
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual([row["Isovalue"] for row in json.loads(table.read_text())["rows"]], [60, 40])
+
     def test_essentials(self):
         """Without further options: four methods, no other sizes, and progress that ends at 100 %."""
         report, table = self.folder / "essentials", self.folder / "essentials.json"
@@ -459,7 +468,10 @@ class TestIsosurfaceCompare(unittest.TestCase):
             (("--input", self.ball), "--isovalue are needed"),
             (("--isovalue", 60, "--input"), "lacks its value"),
             (("--input", self.ball, "--isovalue", "bone"), "bone is not a number"),
+            (("--input", self.ball, "--isovalue="), "is not a number"),
+            (("--input", self.ball, "--isovalue", "1e400"), "1e400 is beyond the largest number"),
             (("--inptu", self.ball, "--isovalue", 60), "unknown option --inptu"),
+            ((f"--inptu={self.ball}", "--isovalue", 60), "unknown option --inptu"),
             (("--input", self.ball, "--isovalue", 60, "--repeats", 0), "from 1 to 1000"),
             (("--input", self.ball, "--isovalue", 1, "--methods", "magic"), "no method magic"),
             (("--input", self.ball, "--isovalue", 1, "--methods", "contour-grid"), "contour-grid is not for images"),

@@ -156,6 +156,26 @@ class TestOutputs(unittest.TestCase):
         result = run(*compare, slices, "--json", slices / "a.json", stdout=subprocess.DEVNULL)
         self.assertNotIn("ElementDataFile", result.stderr)
 
+    def test_outputs_stay(self):
+        """None of them replaces another."""
+        report, link = self.folder / "report", self.folder / "link.csv"
+        (self.folder / "table").touch()
+        link.symlink_to(self.folder / "table")
+        compare = [COMPARE, "--input", self.sphere, "--isovalue", "0", "--methods", "flying-edges"]
+        for outputs in (
+            ["--csv", self.folder / "table", "--json", self.folder / "table"],
+            ["--csv", self.folder / "table", "--json", report / ".." / "table", "--report", report],
+            ["--csv", link, "--json", self.folder / "table"],
+            ["--json", report / "report.html", "--report", report],
+        ):
+            with self.subTest(outputs):
+                result = run(*compare, *outputs, stdout=subprocess.DEVNULL)
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn("is to be written twice: give another name", result.stderr)
+                self.assertFalse(report.exists())
+        result = run(*compare, "--csv", "/dev/null", "--json", "/dev/null", stdout=subprocess.DEVNULL)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
     @unittest.skipUnless(hasattr(os, "mkfifo"), "pipes have names there")
     def test_inputs_are_no_pipes(self):
         """Programs would wait for them."""
@@ -184,6 +204,24 @@ class TestOutputs(unittest.TestCase):
             self.assertEqual(process.wait(), -number)
             left = {path.name: path.read_bytes() for path in self.folder.iterdir()}
             self.assertEqual(left, old)
+
+    def test_signals_leave_no_folder(self):
+        """With a report that is not written, not even those that it is in, but what others wrote there."""
+        self.make_sphere(self.sphere, 300)
+        for is_used in (False, True):
+            report = self.folder / "reports" / "new"
+            process = subprocess.Popen(
+                [COMPARE, "--input", self.sphere, "--isovalue", "0", "--thorough", "--report", report],
+                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=ENVIRONMENT,
+                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))  # fmt: skip
+            process.stderr.read(1)  # "0 %": it measures
+            self.assertTrue(report.exists())
+            if is_used:
+                (report / "notes").touch()
+            process.send_signal(signal.SIGINT)
+            process.stderr.close()
+            self.assertEqual(process.wait(), -signal.SIGINT)
+            self.assertEqual(report.parent.exists(), is_used)
 
 
 if __name__ == "__main__":
