@@ -221,6 +221,20 @@ int FindLitComponents(const Components& components, vtkVolumeProperty* property,
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkirt::CloudMaterial> MakeMaterials(
+  const Components& components, vtkVolumeProperty* property, int component)
+{
+  const bool areMixed = components.Count > 1 && property->GetIndependentComponents();
+  std::vector<vtkirt::CloudMaterial> materials;
+  for (int i = 0; i < FindLitComponents(components, property, component); ++i)
+  {
+    const int dependent = components.Count <= 1 ? component : 0;
+    materials.push_back(MakeMaterial(property, areMixed ? i : dependent));
+  }
+  return materials;
+}
+
+//------------------------------------------------------------------------------
 std::unique_ptr<vtkirt::CloudMedium> MakeMedium(
   const Components& components, vtkVolumeProperty* property, int component)
 {
@@ -245,13 +259,7 @@ std::unique_ptr<vtkirt::CloudMedium> MakeMedium(
                                       property->GetScalarOpacityUnitDistance());
   }
   auto medium = std::make_unique<vtkirt::CloudMedium>(nodes, areMixed || components.Count <= 1);
-  std::vector<vtkirt::CloudMaterial> materials;
-  for (int i = 0; i < FindLitComponents(components, property, component); ++i)
-  {
-    const int dependent = components.Count <= 1 ? component : 0;
-    materials.push_back(MakeMaterial(property, areMixed ? i : dependent));
-  }
-  medium->SetMaterials(materials);
+  medium->SetMaterials(MakeMaterials(components, property, component));
   return medium;
 }
 

@@ -12,6 +12,7 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -44,6 +45,10 @@ std::string FindProblem(const Components& components, vtkVolumeProperty* propert
 /// How many components of the cloud, the last ones, have gradients that light it: none, if the
 /// property does not shade any of them; all, if they are independent; else one.
 int FindLitComponents(const Components& components, vtkVolumeProperty* property, int component);
+
+/// The material of each of them.
+std::vector<vtkIsosurfaceRayTracing::CloudMaterial> MakeMaterials(
+  const Components& components, vtkVolumeProperty* property, int component);
 
 /// Makes the cloud that a property makes of components, or of the given component of the property
 /// if there is one. Transfer functions are linear between nodes: those of the property, and as many

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTraceHints.h"
 
+#include "vtkIsosurfaceRayTraceClouds.h"
 #include "vtkIsosurfaceRayTraceInput.h"
 #include "vtkIsosurfaceRayTraceRequest.h"
+#include "vtkIsosurfaceRayTraceScene.h"
 #include "vtkIsosurfaceRayTraceSettings.h"
 
 #include "vtkCollectionRange.h"
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <sstream>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -62,7 +65,37 @@ bool AreAllOff(vtkLightCollection* lights)
     [](vtkLight* light) { return light->GetSwitch() && light->GetIntensity() != 0.0; });
 }
 
-std::string FindInLight(
+/// Whether a picture of a volume depends on lights: what is shaded may have ambient light alone.
+bool ReflectsLight(const Request::Volume& volume)
+{
+  const vtkirt::TraceRequest& traced = volume.GetField().GetRequest();
+  if (traced.LitComponents > 0)
+  {
+    const std::vector<vtkirt::CloudMaterial> materials = vtkIsosurfaceRayTraceClouds::MakeMaterials(
+      volume.Input->GetCloudComponents(), volume.Property, volume.Component);
+    if (std::any_of(materials.begin(), materials.end(),
+          [](const vtkirt::CloudMaterial& material)
+          { return material.Diffuse != 0.0 || material.Specular != 0.0; }))
+    {
+      return true;
+    }
+  }
+  const vtkirt::Material material =
+    vtkIsosurfaceRayTraceScene::GetMaterial(volume.Property, volume.Component);
+  return !traced.Surfaces.empty() && material.Shade &&
+    (material.Diffuse != 0.0 || material.Specular != 0.0);
+}
+
+std::string FindInLights(const Request& request, vtkLightCollection* lights)
+{
+  return lights && AreAllOff(lights) &&
+      std::any_of(request.Volumes.begin(), request.Volumes.end(), ReflectsLight)
+    ? "No light is on: what is shaded has its ambient light alone. Call AddLight() of the "
+      "renderer, or ShadeOff() of the property."
+    : "";
+}
+
+std::string FindInShading(
   const Request& request, const vtkIsosurfaceRayTraceSettings& settings, vtkLightCollection* lights)
 {
   const bool isOccluded = settings.NumberOfAmbientOcclusionRays > 0;
@@ -82,13 +115,7 @@ std::string FindInLight(
            "SetAmbient(0.5).";
   }
   // Occluded ambient light may be all that is meant.
-  if (!isOccluded && lights && AreAllOff(lights) &&
-    std::any_of(request.Volumes.begin(), request.Volumes.end(), isShaded))
-  {
-    return "No light is on: shaded surfaces have their ambient light alone. Call AddLight() of the "
-           "renderer, or ShadeOff() of the property.";
-  }
-  return "";
+  return isOccluded ? "" : FindInLights(request, lights);
 }
 
 std::string FindInCloud(const Request& request)
@@ -141,7 +168,8 @@ std::string FindInRequest(
 {
   if (settings.HasCloud)
   {
-    return FindInCloud(request);
+    const std::string hint = FindInCloud(request);
+    return hint.empty() ? FindInLights(request, lights) : hint;
   }
   if (request.IsProjection() || request.IsNothing())
   {
@@ -155,7 +183,7 @@ std::string FindInRequest(
   {
     return ofFirst;
   }
-  return FindInLight(request, settings, lights);
+  return FindInShading(request, settings, lights);
 }
 
 //------------------------------------------------------------------------------

@@ -24,9 +24,9 @@ namespace vtkIsosurfaceRayTraceHints
 {
 
 /// No isovalue is within the scalars; shadows or occlusion are on, and shading is off; occlusion is
-/// on, and there is no ambient light; shading is on, and no light. Of data that are a piece of
-/// others nothing is said of isovalues: the others may have them. Without lights (null) there is
-/// one, as in RenderToImage.
+/// on, and there is no ambient light; what would reflect light is shaded, and no light is on. Of
+/// data that are a piece of others nothing is said of isovalues: the others may have them. Without
+/// lights (null) there is one, as in RenderToImage.
 std::string FindInRequest(const vtkIsosurfaceRayTraceRequest& request,
   const vtkIsosurfaceRayTraceSettings& settings, vtkLightCollection* lights);
 

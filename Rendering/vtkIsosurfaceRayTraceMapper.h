@@ -76,8 +76,8 @@
  *
  * A warning tells, once, why a picture has no surface where no isovalue is within the scalars, that
  * shadows or occlusion have no effect without shading, nor occlusion without ambient light, that
- * shaded surfaces have no light, and, of RenderToImage, that the camera sees nothing of the data.
- * Of data that are one of several pieces, or have ghost cells, it tells nothing of isovalues.
+ * surfaces that reflect light have none, and, of RenderToImage, that the camera sees nothing of the
+ * data. Of data that are one of several pieces, or have ghost cells, it tells nothing of isovalues.
  *
  * @par Rectilinear grids:
  * The coordinates of a vtkRectilinearGrid may be of any type, ascending or descending, and may

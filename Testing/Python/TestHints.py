@@ -7,11 +7,13 @@ import math
 import unittest
 from functools import partial
 
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkVolume
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the window
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
+from vtkIsosurfaceRayTracing import vtkCellProjectionMapper, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
 from MeshTesting import ball, errors_of, make_grid, make_volume
 from PictureTesting import make_waves
@@ -155,6 +157,43 @@ class TestHints(unittest.TestCase):
             self.check(scene, r"Call AddLight\(\)")
             renderer.AddLight(vtkLight())
             self.assertEqual(self.draw(*scene), [])
+
+    def test_no_light_that_matters(self):
+        """Without light a picture is dark only of what reflects some: surfaces, or a cloud."""
+        mesh = make_grid(VTK_TETRA, ball)
+        for mapper_class in (vtkIsosurfaceRayTraceMeshMapper, vtkCellProjectionMapper):
+            mapper, volume, renderer = make_scene(mesh, 2.0, mapper_class)
+            renderer.AutomaticLightCreationOff()
+            material = volume.GetProperty()
+            material.ShadeOn()
+            for diffuse, specular, count in ((0.0, 0.0, 0), (0.7, 0.0, 1), (0.0, 0.0, 0), (0.0, 0.2, 1)):
+                material.SetDiffuse(diffuse)
+                material.SetSpecular(specular)
+                with self.subTest(mapper_class.__name__, diffuse=diffuse, specular=specular):
+                    warnings = self.draw(mapper, volume, renderer)
+                    self.assertEqual(len(warnings), count)
+                    self.assertTrue(all("No light is on" in warning for warning in warnings))
+            material.ShadeOff()
+            self.assertEqual(self.draw(mapper, volume, renderer), [])
+        material.ShadeOn()
+        mapper.SetBlendModeToMaximumIntensity()  # of a cloud, which is not shaded
+        self.assertEqual(self.draw(mapper, volume, renderer), [])
+
+    def test_components_that_reflect_light(self):
+        """Of a cloud of two, one is enough; that of no other number is asked."""
+        mesh = make_grid(VTK_TETRA, ball)
+        values = vtk_to_numpy(mesh.GetPointData().GetScalars())
+        mesh.GetPointData().SetScalars(numpy_to_vtk(np.stack([values, values], axis=1), deep=True))
+        mapper, volume, renderer = make_scene(mesh, 2.0, vtkCellProjectionMapper)
+        renderer.AutomaticLightCreationOff()
+        material = volume.GetProperty()
+        for component in range(4):
+            material.SetShade(component, 0)
+        for component, count in ((0, 1), (1, 1), (2, 0)):
+            material.SetShade(component, 1)
+            self.assertEqual(len(self.draw(mapper, volume, renderer)), count)
+            material.SetShade(component, 0)
+            self.assertEqual(self.draw(mapper, volume, renderer), [])
 
     def test_camera_that_sees_nothing(self):
         mapper, volume, renderer = make_scene(make_waves(), 150.0)
