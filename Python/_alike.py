@@ -12,7 +12,7 @@ BY_NAME = 1
 
 SETTINGS = (
     "InterpolationMode", "RootSolver", "NumberOfInterpolations", "NormalMode", "VectorMode", "VectorComponent",
-    "ColorArrayName", "CompositeDataDisplayAttributes", "CapClippingPlanes", "DrawIsosurfaces")  # fmt: skip
+    "CompositeDataDisplayAttributes", "CapClippingPlanes", "DrawIsosurfaces")  # fmt: skip
 
 
 def name_one_array(mappers):
@@ -60,6 +60,10 @@ def _find_cropping(mapper):
     return (mapper.GetCroppingRegionPlanes(), mapper.GetCroppingRegionFlags()) if is_cropped else None
 
 
+def _find_color_array(mapper):
+    return mapper.GetColorArrayName()
+
+
 def _find_color_image(mapper):
     return mapper.GetInputDataObject(1, 0) if isinstance(mapper, vtkIsosurfaceRayTraceMapper) else None
 
@@ -83,6 +87,8 @@ def _is_tetrahedralized(mapper):
 RULES = (
     (_find_planes, "clipped alike; give all the same clip"),
     (_find_cropping, "cropped alike, and meshes are not; clip all instead, or make several pictures"),
+    (_find_color_array, "coloured by arrays of one name, all of them, or by none; give all a color_by of numpy, which may be "
+                        "of one colour (unsigned char)"),
     (_find_color_image, "coloured by one image, all of them, or by none; give all the same color_by, or make several "
                         "pictures"),
     (_find_projection, "not beside a projection (SetBlendMode of a mapper); make several pictures"),

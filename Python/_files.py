@@ -8,6 +8,7 @@ import importlib
 import math
 import os
 import warnings
+from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -70,7 +71,7 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     ValueError
         It has no reader for it, or it is damaged, or not a volume, or a folder has not the slices of one series.
     MemoryError
-        It announces more samples than this machine has memory for, and they cannot be used in the file.
+        It announces more samples than this process may have memory for, and they cannot be used in the file.
 
     Warns
     -----
@@ -165,7 +166,7 @@ def _read_whole(reader, path):
     if size > memory / 2 and (mapped := _map(reader, path)):
         return mapped
     if size > memory:  # VTK ends the process if it cannot allocate it.
-        raise MemoryError(f"{path} asks for more memory than this machine has; an uncompressed MetaImage or NRRD file, "
+        raise MemoryError(f"{path} asks for more memory than this process may have; an uncompressed MetaImage or NRRD file, "
                           "or a .vti file with raw appended data, needs none")
     if _is_cut(path, size):
         return None
@@ -222,10 +223,33 @@ def _count_bytes(reader):
 
 
 def _count_memory():
+    """The bytes that this machine has, or that this process may have of them, as in a container."""
     try:
-        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+        memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
     except (AttributeError, OSError, ValueError):  # not on this system
-        return math.inf
+        memory = math.inf
+    return min([memory, *_limits_of_groups(Path("/"))])
+
+
+def _limits_of_groups(root):
+    """Those of memory, of the control groups of Linux that this process is in."""
+    try:
+        groups = (root / "proc/self/cgroup").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        return
+    for line in groups:
+        _, controllers, group = line.split(":", 2)
+        if controllers in ("", "memory"):  # of version 2 and of version 1
+            top = root / "sys/fs/cgroup" / controllers
+            folder = top / group.lstrip("/")
+            # What a container sees of the groups may begin below its own name.
+            while top in (folder, *folder.parents):
+                for name in ("memory.max", "memory.limit_in_bytes"):
+                    try:
+                        yield int((folder / name).read_text(encoding="ascii"))
+                    except (OSError, ValueError):  # "max"
+                        pass
+                folder = folder.parent
 
 
 def _is_volume(image):

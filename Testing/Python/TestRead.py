@@ -33,12 +33,17 @@ from vtkmodules.vtkIOXML import (
 )
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkIsosurfaceRayTracing import isosurface, read, render, vtkMappedImageReader
+from vtkIsosurfaceRayTracing._files import _limits_of_groups
 
 from DicomSlices import write_dicom_slices
 from MeshTesting import ball, make_grid, make_structured_grid
 from PackageTesting import SIZE
 from PictureTesting import ISOVALUE, make_waves, write_bad_volumes
 from TestAmr import NESTED, fill
+
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Support"))
+from LimitedMemory import LimitedMemory
 
 
 class TestRead(unittest.TestCase):
@@ -398,6 +403,42 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
         with mock.patch("vtkIsosurfaceRayTracing._files._count_memory", return_value=2 * size):
             with mock.patch("vtkIsosurfaceRayTracing._files.vtkMappedImageReader", side_effect=AssertionError):
                 read(names[0])
+
+    def test_limits_of_containers(self):
+        """The least of the groups that a process is in, of either version."""
+        for version, listed, limits, expected in (
+            ("", "0::/", {"memory.max": "12345678"}, [12345678]),
+            ("", "0::/a/b", {"memory.max": "max", "a/memory.max": "5000", "a/b/memory.max": "7000"}, [7000, 5000]),
+            ("", "0::/of/the/host", {"memory.max": "5000"}, [5000]),
+            ("", "0::/../../x", {"memory.max": "5000"}, [5000]),
+            ("memory", "9:cpu:/\n3:memory:/a:1", {"memory.limit_in_bytes": "9000", "a:1/memory.limit_in_bytes": "8000"},
+             [8000, 9000]),
+            ("memory", "9:cpu:/", {"memory.limit_in_bytes": "9000"}, []),
+        ):  # fmt: skip
+            with self.subTest(listed), tempfile.TemporaryDirectory() as root:
+                groups = {"proc/self/cgroup": listed}
+                groups.update({f"sys/fs/cgroup/{version}/{name}": limit for name, limit in limits.items()})
+                for name, text in groups.items():
+                    (Path(root) / name).parent.mkdir(parents=True, exist_ok=True)
+                    (Path(root) / name).write_text(text, encoding="ascii")
+                self.assertEqual(list(_limits_of_groups(Path(root))), expected)
+        self.assertEqual(list(_limits_of_groups(self.folder)), [])
+
+    def test_within_a_container(self):
+        """What is larger than half of its memory stays in the file."""
+        header = self.folder / "zeros.mhd"
+        header.write_text("NDims = 3\nDimSize = 512 512 400\nElementType = MET_SHORT\nElementDataFile = zeros.raw\n",
+                          encoding="ascii")  # fmt: skip
+        (self.folder / "zeros.raw").touch()
+        os.truncate(self.folder / "zeros.raw", 2 * 512 * 512 * 400)  # 200 MiB
+        with LimitedMemory(300 << 20) as limited:
+            if not limited.is_possible:
+                self.skipTest("no process can be limited")
+            code = f"import vtkIsosurfaceRayTracing as v; v.read({str(header)!r}); print(open('/proc/self/status').read())"
+            result = subprocess.run([*limited.prefix, sys.executable, "-c", code], capture_output=True, text=True, check=False)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            peak = next(line for line in result.stdout.splitlines() if line.startswith("VmHWM:"))
+            self.assertLess(int(peak.split()[1]), 200 << 10, peak)
 
     def test_nrrd_without_an_end_or_sizes(self):
         """VTK's reader does not come back from these."""

@@ -285,6 +285,14 @@ class TestSeveral(unittest.TestCase):
         volume.SetMapper(mapper)
         return volume
 
+    def test_one_of_one_color(self):
+        """That which the error for different colours tells to give."""
+        ball = isosurface(make_ball(), 0.0, color_by=make_ball(), cmap=["red", "red"])
+        red = np.full((*make_ball().shape, 3), (255, 0, 0), np.uint8)
+        picture = render([ball, isosurface(make_ball(), -0.3, color_by=red)], size=(64, 64))
+        colors = np.asarray(picture)[..., :3].astype(int).reshape(-1, 3)
+        self.assertGreater((colors[:, 0] > colors[:, 1] + 50).sum(), 100)
+
     def test_what_cannot_be_joined(self):
         surface = isosurface(make_ball(), 0.0)
         cropped, projected, smooth = (isosurface(make_ball(), 0.0) for _ in range(3))
@@ -295,7 +303,7 @@ class TestSeveral(unittest.TestCase):
         tetrahedra.GetMapper().TetrahedralizeOn()
         for other, message in (
             (isosurface(make_ball(), 0.0, interpolation="cubic"), "cannot differ in InterpolationMode"),
-            (isosurface(make_ball(), 0.0, color_by=make_ball()), "cannot differ in ColorArrayName"),
+            (isosurface(make_ball(), 0.0, color_by=make_ball()), "coloured by arrays of one name, .* may be of one colour"),
             (smooth, "cannot differ in NormalMode"),
             (isosurface(make_ball(), 0.0, clip="x", caps=False), "clipped alike"),
             (isosurface(make_ball(), 0.0, color_by=make_waves()), "coloured by one image, .* the same color_by"),
