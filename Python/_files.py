@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from ._errors import silence
 from ._headers import check_metaimage, check_nrrd, fields_of_metaimage
 from ._patient import place_by_header, place_nifti, place_slices
-from ._slices import check_values, find_slices, warn_of_distances
+from ._slices import check_values, find_slices, only_files, warn_of_distances
 from .vtkIsosurfaceRayTracing import vtkMappedImageReader
 
 READERS = {
@@ -98,8 +98,9 @@ def read(path: str | os.PathLike) -> vtkDataObject:
 def _read_slices(folder):
     slices = find_slices(folder)
     reader = _new("vtkIOImage.vtkDICOMImageReader")
-    reader.SetDirectoryName(folder)
-    data = _read_whole(reader, folder)
+    with only_files(folder) as files:
+        reader.SetDirectoryName(files)
+        data = _read_whole(reader, folder)
     if data is not None:
         if data.GetDimensions()[2] != len(slices):
             raise ValueError(f"{folder} has {len(slices)} slices, of which VTK's reader takes {data.GetDimensions()[2]} "

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The files of a folder of DICOM slices: VTK's reader takes any for a volume, and trusts what the last one says."""
 
+import contextlib
 import os
+import tempfile
 import warnings
 from typing import NamedTuple
 
@@ -45,6 +47,21 @@ def find_slices(folder):
         raise ValueError(f"{folder} has several slices at one place, or does not tell the places; put each series "
                          f"into a folder of its own, or {REMEDY}")
     return slices
+
+
+@contextlib.contextmanager
+def only_files(folder):
+    """A folder without pipes, for which VTK's reader would wait: the same, or one of links to its files."""
+    with os.scandir(folder) as entries:
+        files = [each for each in entries if not each.is_dir()]
+    if all(each.is_file() for each in files):
+        yield folder
+        return
+    with tempfile.TemporaryDirectory() as links:
+        for each in files:
+            if each.is_file():
+                os.symlink(os.path.abspath(each.path), os.path.join(links, each.name))
+        yield links
 
 
 def check_values(folder, data, slices):

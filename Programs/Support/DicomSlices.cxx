@@ -3,6 +3,8 @@
 
 #include "DicomSlices.h"
 
+#include "InputFiles.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
@@ -70,7 +72,7 @@ std::optional<DicomSlice> ReadHeader(const std::string& folder, const std::strin
   vtkNew<vtkCallbackCommand> silence;
   reader->AddObserver(vtkCommand::ErrorEvent, silence);
   reader->AddObserver(vtkCommand::WarningEvent, silence);
-  if (!vtksys::SystemTools::FileExists(path, true) || !reader->CanReadFile(path.c_str()))
+  if (!IsFile(path) || !reader->CanReadFile(path.c_str()))
   {
     return std::nullopt;
   }

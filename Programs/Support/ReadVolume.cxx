@@ -28,6 +28,7 @@
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
 #include <vtkNrrdReader.h>
+#include <vtkObjectFactory.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtksys/SystemInformation.hxx>
@@ -268,10 +269,26 @@ vtkSmartPointer<vtkImageData> ReadFile(ReaderT* reader, const std::string& name,
 }
 
 //------------------------------------------------------------------------------
+/// Takes files alone for slices: the superclass would wait for a pipe in the folder.
+class SliceReader : public vtkDICOMImageReader
+{
+public:
+  static SliceReader* New();
+  vtkTypeMacro(SliceReader, vtkDICOMImageReader);
+
+  int CanReadFile(const char* fileName) override
+  {
+    return IsFile(fileName) ? this->Superclass::CanReadFile(fileName) : 0;
+  }
+};
+
+vtkStandardNewMacro(SliceReader);
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMemory, Axes axes)
 {
   const std::vector<DicomSlice> slices = FindSlices(folder);
-  vtkNew<vtkDICOMImageReader> reader;
+  vtkNew<SliceReader> reader;
   reader->SetDirectoryName(folder.c_str());
   const vtkSmartPointer<vtkImageData> image = Read(reader.Get(), folder,
     { std::numeric_limits<double>::infinity(), maxMemory, ChooseWhole, Axes::OfSamples });

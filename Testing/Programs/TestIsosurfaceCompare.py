@@ -31,6 +31,7 @@ from vtkmodules.vtkIOXML import (
 )
 from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
 
+from DicomSlices import write_dicom_slices
 from Displays import why_no_pictures, with_display, without_display
 
 PROGRAM = sys.argv.pop(1)
@@ -349,8 +350,13 @@ class TestIsosurfaceCompare(unittest.TestCase):
             writer.SetInputData(new_ball())
             writer.SetFileName(str(self.folder / name))
             writer.Write()
+        slices = self.folder / "slices"
+        slices.mkdir()
+        write_dicom_slices(new_ball(), slices)
+        if hasattr(os, "mkfifo"):
+            os.mkfifo(slices / "000.pipe")  # for which VTK's reader would wait
         counts = []
-        for name in ("ball.vti", "ball.mha", "ball.nii"):
+        for name in ("ball.vti", "ball.mha", "ball.nii", "slices"):
             result = self.run_program(
                 "--input", self.folder / name, "--isovalue", 60, "--methods", "marching-cubes",
                 "--json", self.folder / "format.json",
@@ -359,7 +365,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
             table = json.loads((self.folder / "format.json").read_text())
             counts.append(table["rows"][0]["Triangles"])
         self.assertGreater(counts[0], 1000)
-        self.assertEqual(counts, [counts[0]] * 3)
+        self.assertEqual(counts, [counts[0]] * 4)
 
         whole = (self.folder / "ball.nii").read_bytes()
         (self.folder / "half.nii").write_bytes(whole[: len(whole) // 2])

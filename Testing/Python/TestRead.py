@@ -121,6 +121,18 @@ class TestRead(unittest.TestCase):
         image.SetSpacing(0.75, 1.5, 2.0)
         self.assertEqual(read(self.write_slices("uneven", image)).GetSpacing(), (0.75, 1.5, 2.0))
 
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "pipes have names there")
+    def test_slices_beside_a_pipe(self):
+        """VTK's reader would wait for it."""
+        expected = read(self.write_slices("files", make_waves(9)))
+        slices = self.write_slices("slices", make_waves(9))
+        os.mkfifo(slices / "000.pipe")
+        (slices / "link").symlink_to("nowhere")
+        image = read(os.path.relpath(slices))
+        self.assertEqual(image.GetBounds(), expected.GetBounds())
+        self.assertEqual(bytes(memoryview(image.GetPointData().GetScalars())),
+                         bytes(memoryview(expected.GetPointData().GetScalars())))  # fmt: skip
+
     def test_slices_that_are_missing(self):
         slices = self.write_slices("missing", make_waves(9))
         (slices / "003.dcm").unlink()
