@@ -86,10 +86,10 @@ class Scalars:
         return names[0] if not is_active and len(names) == 1 else None
 
     def _names(self):
-        """Those of arrays of numbers."""
+        """Those of arrays of numbers, but for the marks of ghosts."""
         names = {attributes.GetArrayName(i) for attributes in self._attributes()
                  for i in range(attributes.GetNumberOfArrays()) if attributes.GetArray(i) is not None}
-        return sorted(name for name in names if name)
+        return sorted(name for name in names if name and name != vtkDataSetAttributes.GhostArrayName())
 
     def _attributes(self):
         return [attributes for grid in self.grids for attributes in (grid.GetPointData(), grid.GetCellData())]

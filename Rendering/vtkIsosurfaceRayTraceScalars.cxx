@@ -108,14 +108,15 @@ vtkSmartPointer<vtkDataArray> ComputeMagnitudes(vtkDataArray* vectors, int threa
   return lengths;
 }
 
-/// The names of the arrays of numbers that have one.
+/// The names of the arrays of numbers that have one, but for the marks of ghosts.
 std::string ListArrays(vtkDataSetAttributes* attributes)
 {
   std::string names;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
     const char* name = attributes->GetArray(i) ? attributes->GetArrayName(i) : nullptr;
-    names += name ? (names.empty() ? "\"" : ", \"") + std::string(name) + "\"" : "";
+    const bool isOffered = name && name != std::string(vtkDataSetAttributes::GhostArrayName());
+    names += isOffered ? (names.empty() ? "\"" : ", \"") + std::string(name) + "\"" : "";
   }
   return names;
 }

@@ -148,6 +148,11 @@ class TestData(unittest.TestCase):
         for name in ("twice", "ball"):
             image.GetPointData().RemoveArray(name)
         self.assertTrue(picture_of(image, 0.2).any())  # the only array
+        image.AllocateCellGhostArray()  # of cells of other pieces, which is none to be drawn
+        self.assertTrue(picture_of(image, 0.2).any())
+        image.GetCellData().RemoveArray("cells")
+        with self.assertRaisesRegex(ValueError, "they have no arrays of numbers"):
+            isosurface(image, 0.2)
 
     def test_other_data_are_drawn_by_the_same_array(self):
         """Whichever is active in them."""

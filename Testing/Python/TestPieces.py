@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkRectilinearGrid
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
-from MeshTesting import cast, make_volume, parallel_rays
+from MeshTesting import cast, errors_of, make_volume, parallel_rays
 
 CELLS = (13, 12, 11)
 SPACING = (0.5, 0.55, 0.6)
@@ -58,6 +58,14 @@ def hits_of(piece, rays):
 
 
 class TestPieces(unittest.TestCase):
+    def test_ghosts_are_not_offered_as_scalars(self):
+        piece = make_piece([(0, n) for n in CELLS], 0, True, False)
+        mapper, volume = make_volume(piece, 0.2, mapper_class=vtkIsosurfaceRayTraceMapper)
+        mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectScalarArray("missing")
+        (error,) = errors_of(mapper, lambda: cast(mapper, volume, parallel_rays()))
+        self.assertIn('no array "missing" of cells with numbers. SelectScalarArray() takes one of "values".', error)
+
     def test_a_hidden_point_hides_the_cells_around_it(self):
         """Whether the scalars are of points or of cells."""
         rays = parallel_rays(41)
