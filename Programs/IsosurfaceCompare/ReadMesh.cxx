@@ -58,10 +58,11 @@ vtkSmartPointer<vtkPointSet> FindMesh(vtkDataObject* data)
 std::string FindNameOfArray(vtkPointSet* mesh)
 {
   vtkPointData* points = mesh->GetPointData();
+  vtkDataArray* const ghosts = points->GetArray(vtkDataSetAttributes::GhostArrayName());
   vtkDataArray* scalars = points->GetScalars();
   for (int i = 0; !scalars && i < points->GetNumberOfArrays(); ++i)
   {
-    scalars = points->GetArray(i);
+    scalars = points->GetArray(i) != ghosts ? points->GetArray(i) : nullptr;
   }
   return scalars && scalars->GetName() ? scalars->GetName() : "";
 }

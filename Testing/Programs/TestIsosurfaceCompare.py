@@ -414,8 +414,14 @@ class TestIsosurfaceCompare(unittest.TestCase):
             self.assertEqual(rays["CoveredPixels"], rows["grid.vts"][2]["CoveredPixels"], name)
 
     def test_arrays_of_meshes(self):
-        """Those of cells are averaged; without a name it is the first of the points."""
-        path = self.write_mesh(vtkXMLStructuredGridWriter(), "arrays.vts", new_grid())
+        """Those of cells are averaged; without a name it is the first of the points, but for the marks of ghosts."""
+        grid, marked = new_grid(), vtkStructuredGrid()
+        marked.CopyStructure(grid)
+        marked.AllocatePointGhostArray()
+        for of_marked, of_grid in ((marked.GetPointData(), grid.GetPointData()), (marked.GetCellData(), grid.GetCellData())):
+            for i in range(of_grid.GetNumberOfArrays()):
+                of_marked.AddArray(of_grid.GetArray(i))
+        path = self.write_mesh(vtkXMLStructuredGridWriter(), "arrays.vts", marked)
         for array, isovalue in ((["--array", "height"], 3.25), ([], 0.6)):
             result = self.run_program(
                 "--input", path, *array, "--isovalue", isovalue, "--methods", "contour-grid",
