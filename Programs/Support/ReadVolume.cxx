@@ -36,6 +36,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <new>
@@ -269,6 +271,40 @@ vtkSmartPointer<vtkImageData> ReadFile(ReaderT* reader, const std::string& name,
 }
 
 //------------------------------------------------------------------------------
+/// The least limit of memory, in bytes, of the control groups of Linux that this process is in, as
+/// in a container.
+double FindLimitOfGroups()
+{
+  namespace fs = std::filesystem;
+  double limit = std::numeric_limits<double>::infinity();
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) // number:controllers:group
+  {
+    const std::size_t first = line.find(':');
+    const std::size_t second = line.find(':', first + 1);
+    const std::string controllers = line.substr(first + 1, second - first - 1);
+    if (!controllers.empty() && controllers != "memory") // of version 2 and of version 1
+    {
+      continue;
+    }
+    const fs::path top = fs::path("/sys/fs/cgroup") / controllers;
+    // What a container sees of the groups may begin below its own name.
+    fs::path group = fs::path(line.substr(second + 1)).relative_path();
+    for (bool isTop = false; !isTop; group = group.parent_path())
+    {
+      isTop = group.empty();
+      for (const char* name : { "memory.max", "memory.limit_in_bytes" })
+      {
+        std::ifstream file(top / group / name);
+        double bytes = 0.0;
+        limit = file >> bytes ? std::min(limit, bytes) : limit; // Without a limit it is a word.
+      }
+    }
+  }
+  return limit;
+}
+
+//------------------------------------------------------------------------------
 /// Takes files alone for slices: the superclass would wait for a pipe in the folder.
 class SliceReader : public vtkDICOMImageReader
 {
@@ -384,15 +420,17 @@ bool IsScaled(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-const char* const MaxMemoryHelp =
-  "The most memory that the volume may take, in MiB. Default: the memory of this machine.";
+const char* const MaxMemoryHelp = "The most memory that the volume may take, in MiB. Default: the "
+                                  "memory of this machine, or that of "
+                                  "the container.";
 
 //------------------------------------------------------------------------------
 double GetDefaultMaxMemory()
 {
   vtksys::SystemInformation system;
   constexpr double kibibytesPerMebibyte = 1024.0;
-  return static_cast<double>(system.GetProcMemoryAvailable()) / kibibytesPerMebibyte;
+  return std::min(static_cast<double>(system.GetProcMemoryAvailable()) / kibibytesPerMebibyte,
+    FindLimitOfGroups() / BytesPerMebibyte);
 }
 
 //------------------------------------------------------------------------------

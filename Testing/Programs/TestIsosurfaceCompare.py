@@ -33,6 +33,7 @@ from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
 
 from DicomSlices import write_dicom_slices
 from Displays import why_no_pictures, with_display, without_display
+from LimitedMemory import LimitedMemory
 
 PROGRAM = sys.argv.pop(1)
 SOURCE = Path(__file__).parents[2]
@@ -470,6 +471,21 @@ class TestIsosurfaceCompare(unittest.TestCase):
             result = self.run_program(*arguments)
             self.assertNotEqual(result.returncode, 0, arguments)
             self.assertIn(words, result.stderr)
+
+    def test_memory_of_a_container(self):
+        """A volume that takes more is an error; the system would end the process."""
+        header = self.folder / "zeros.mhd"
+        header.write_text("NDims = 3\nDimSize = 512 512 400\nElementType = MET_SHORT\nElementDataFile = zeros.raw\n",
+                          encoding="ascii")  # fmt: skip
+        (self.folder / "zeros.raw").touch()
+        os.truncate(self.folder / "zeros.raw", 2 * 512 * 512 * 400)  # 200 MiB
+        with LimitedMemory(150 << 20) as limited:
+            if not limited.is_possible:
+                self.skipTest("no process can be limited")
+            command = [*limited.prefix, PROGRAM, "--input", str(header), "--isovalue", "1", "--methods", "flying-edges"]
+            result = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("--max-memory", result.stderr)
 
     def test_errors(self):
         text = self.folder / "text.txt"
