@@ -57,18 +57,9 @@ int ToInteger(const std::string& text)
 
 //------------------------------------------------------------------------------
 CommandLine::CommandLine(int argc, char* argv[])
+  : Arguments(argv + 1, argv + argc)
 {
-  // The parser knows --option=value as an option of its own, which the help would list, too.
   this->Parser.Initialize();
-  for (const std::string& argument : std::vector<std::string>(argv + 1, argv + argc))
-  {
-    const std::size_t end = argument.rfind("--", 0) == 0 ? argument.find('=') : std::string::npos;
-    this->Parser.ProcessArgument(argument.substr(0, end).c_str());
-    if (end != std::string::npos)
-    {
-      this->Parser.ProcessArgument(argument.substr(end + 1).c_str());
-    }
-  }
   this->Parser.StoreUnusedArguments(true);
   this->Parser.AddBooleanArgument("--help", &this->Help, "Show this text.");
 }
@@ -83,6 +74,7 @@ void CommandLine::Add(const char* option, std::string* text, const char* help)
 void CommandLine::Add(const char* option, std::vector<std::string>* texts, const char* help)
 {
   this->Parser.AddArgument(option, Parsing::MULTI_ARGUMENT, texts, help);
+  this->Lists[option] = texts;
 }
 
 //------------------------------------------------------------------------------
@@ -121,6 +113,7 @@ void CommandLine::Add(const char* option, bool* isGiven, const char* help)
 //------------------------------------------------------------------------------
 bool CommandLine::Parse()
 {
+  this->PassArguments();
   const bool isParsed = this->Parser.Parse() != 0;
   if (this->Help)
   {
@@ -145,6 +138,30 @@ std::string CommandLine::GetHelp()
   const std::string help =
     std::regex_replace(this->Parser.GetHelp(), std::regex("( --[-a-z]+) opt o\\w*"), "$1 VALUE...");
   return std::regex_replace(help, std::regex("( --[-a-z]+) opt "), "$1 VALUE ");
+}
+
+//------------------------------------------------------------------------------
+/// To the parser: --option=value as two, which it knows as an option of its own. After the sign an
+/// option with several values has one.
+void CommandLine::PassArguments()
+{
+  for (const std::string& argument : this->Arguments)
+  {
+    const std::size_t end = argument.rfind("--", 0) == 0 ? argument.find('=') : std::string::npos;
+    const std::string option = argument.substr(0, end);
+    const bool hasValue = end != std::string::npos;
+    const auto list = this->Lists.find(option);
+    if (hasValue && list != this->Lists.end())
+    {
+      list->second->push_back(argument.substr(end + 1));
+      continue;
+    }
+    this->Parser.ProcessArgument(option.c_str());
+    if (hasValue)
+    {
+      this->Parser.ProcessArgument(argument.substr(end + 1).c_str());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

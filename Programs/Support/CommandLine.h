@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace Programs
 {
 
 /// The options of a program, parsed by vtksys, whose numbers are checked: it takes any text for
-/// one. What an option that is not given stands for stays as it is. --help is added.
+/// one. A value may follow its option as another argument or after an equals sign. What an option
+/// that is not given stands for stays as it is. --help is added.
 class CommandLine
 {
 public:
@@ -40,8 +42,13 @@ public:
   std::string GetHelp();
 
 private:
+  void PassArguments();
   void TakeFiles();
 
+  /// As they are given, after the name of the program.
+  std::vector<std::string> Arguments;
+  /// The texts of options with several values.
+  std::map<std::string, std::vector<std::string>*> Lists;
   vtksys::CommandLineArguments Parser;
   /// What is to be converted into numbers. The parser keeps their places.
   std::deque<std::string> TextOfNumber;

@@ -194,7 +194,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
         """Options and values are also one argument; values may have signs of their own."""
         table = self.folder / "a=b.json"
         result = self.run_program(
-            f"--input={self.ball}", "--isovalue=60", 40, "--methods=flying-edges", f"--json={table}", "--repeats=1"
+            f"--input={self.ball}", "--isovalue=60", "--isovalue=40", "--methods=flying-edges", f"--json={table}", "--repeats=1"
         )
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual([row["Isovalue"] for row in json.loads(table.read_text())["rows"]], [60, 40])

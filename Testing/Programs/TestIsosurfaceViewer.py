@@ -152,7 +152,7 @@ class TestIsosurfaceViewer(unittest.TestCase):
 
     def test_dragging(self):
         """The surface turns; it is refined while the button is held, and after that as it was."""
-        viewer = self.start(write_waves(self.folder))
+        viewer = self.start("--isovalue=130", write_waves(self.folder))
         before = viewer.wait_for_rest()
         xdotool("mousemove", *viewer.middle, "mousedown", 1)
         for step in range(1, 21):
