@@ -23,10 +23,7 @@ COLORS = (
     (70, 200, 220), (128, 128, 0), (170, 110, 40), (128, 128, 128), (240, 50, 230), (0, 0, 128),
 )  # fmt: skip
 MARKERS = (vtkPlotPoints.SQUARE, vtkPlotPoints.CIRCLE, vtkPlotPoints.DIAMOND)
-ENVIRONMENT = (
-    "date", "command", "machine", "load of the machine before", "compiler", "VTK", "Embree",
-    "OpenGL", "volume",
-)  # fmt: skip
+ENVIRONMENT = ("machine", "load of the machine before", "compiler", "VTK", "Embree", "OpenGL", "volume")
 
 
 def parse_arguments(description, *names):
@@ -80,11 +77,11 @@ def markdown_table(titles, rows):
     return "".join([first, f"|{'---|' * len(titles)}\n", *others]) + "\n"
 
 
-def environment_list(environment):
-    """The circumstances of a measurement, as a list."""
-    said = {**environment, "command": f"`{environment['command']}`"}
-    lines = [f"- {name}: {said[name]}\n" for name in ENVIRONMENT if name in said]
-    return "".join(lines + [f"- absent: {name}\n" for name in environment.get("absent", [])]) + "\n"
+def environment_sentence(environment):
+    """The circumstances of a measurement."""
+    said = [f"{name}: {environment[name]}" for name in ENVIRONMENT if name in environment]
+    said += [f"absent: {name}" for name in environment.get("absent", [])]
+    return f"Measured on {environment['date']}, {'; '.join(said)}."
 
 
 def decades(values):

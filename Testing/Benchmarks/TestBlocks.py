@@ -20,8 +20,8 @@ SOURCE = Path(__file__).resolve().parents[2]
 @unittest.skipIf(why_no_pictures(dict(os.environ)), "there is no display")
 class TestBlocksBenchmark(ProgramTest):
     def test_documented_command(self):
-        """That of Documentation/measurements.md, with fewer blocks."""
-        page = (SOURCE / "Documentation" / "measurements.md").read_text(encoding="utf-8")
+        """That of Documentation/tables.md, with fewer blocks."""
+        page = (SOURCE / "Documentation" / "tables.md").read_text(encoding="utf-8")
         (command,) = re.findall(r"^    xvfb-run -a build/developer/bin/vtkIsosurfaceBlocksBenchmark (.*)$", page, re.M)
         few = f"--blocks 3 --block-size 9 --size 100 --views 2 --repeats 2 {command}"
         self.run_program(FOLDER, BENCHMARK, few)

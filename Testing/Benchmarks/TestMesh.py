@@ -128,8 +128,8 @@ class TestMeshBenchmark(ProgramTest):
         self.assertGreater(memory["what is known of the surface"], 0.0)
 
     def test_documented_commands(self):
-        """Those of Documentation/measurements.md, with fewer cells."""
-        page = (SOURCE / "Documentation" / "measurements.md").read_text(encoding="utf-8")
+        """Those of Documentation/tables.md, with fewer cells."""
+        page = (SOURCE / "Documentation" / "tables.md").read_text(encoding="utf-8")
         commands = re.findall(r"^## Meshes: .*\n\n    \$measure (.*) --json (.*)$", page, re.M)
         self.assertEqual(len(commands), 3)
         for arguments, name in commands:
