@@ -192,7 +192,7 @@ int vtkIsosurfaceRayTraceFrame::ChooseOcclusionRays(const vtkIsosurfaceRayTraceS
   {
     const auto smallest = static_cast<double>(settings.MinimumImageSampleDistance);
     const double allocated = volume->GetAllocatedRenderTime() * smallest * smallest;
-    const FrameCost& cost = isCoarse ? this->CostOfCoarseLevel : this->Cost;
+    const FrameCost& cost = this->GetCost(isCoarse);
     const double ofRay = cost.Get(1) - cost.Get(0);
     const double enough = ofRay > 0.0 ? (allocated - cost.Get(0)) / ofRay : most;
     this->OcclusionRays = static_cast<int>(
@@ -214,7 +214,7 @@ float vtkIsosurfaceRayTraceFrame::ChooseSampleDistance(
     return settings.ImageSampleDistance;
   }
   // The number of rays falls with the square of their distance.
-  const FrameCost& cost = isCoarse ? this->CostOfCoarseLevel : this->Cost;
+  const FrameCost& cost = this->GetCost(isCoarse);
   const double enough = std::sqrt(cost.Get(settings.NumberOfAmbientOcclusionRays) / allocated);
   const double distance = enough > 1.0 ? std::ceil(enough) : 1.0 / std::floor(1.0 / enough);
   return std::clamp(static_cast<float>(distance), settings.MinimumImageSampleDistance,
@@ -282,6 +282,20 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   }
 
   const vtkirt::Stopwatch ofDisplay;
+  this->Show(settings, request, target, drawing);
+  this->DisplayTime += ofDisplay.GetSeconds();
+  if (!drawing.Selector && this->Picture.Times.Trace > 0.0)
+  {
+    this->KeepCost(settings, request.Inputs.IsCoarse());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Draws what was traced into the window.
+void vtkIsosurfaceRayTraceFrame::Show(const vtkIsosurfaceRayTraceSettings& settings,
+  const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing)
+{
   if (drawing.Selector)
   {
     this->DisplayIds(request, drawing);
@@ -298,18 +312,18 @@ bool vtkIsosurfaceRayTraceFrame::Render(const vtkIsosurfaceRayTraceSettings& set
   {
     this->DisplayColors(drawing);
   }
-  this->DisplayTime += ofDisplay.GetSeconds();
+}
 
+//------------------------------------------------------------------------------
+/// Macrocells and bricks are built; the remaining time grows with the number of rays.
+void vtkIsosurfaceRayTraceFrame::KeepCost(
+  const vtkIsosurfaceRayTraceSettings& settings, bool isCoarse)
+{
   const vtkirt::FrameTimes& times = this->Picture.Times;
-  if (!drawing.Selector && times.Trace > 0.0)
-  {
-    // Macrocells and bricks are built; the remaining time grows with the number of rays.
-    const auto distance = static_cast<double>(settings.ImageSampleDistance);
-    FrameCost& cost = request.Inputs.IsCoarse() ? this->CostOfCoarseLevel : this->Cost;
-    cost = { (times.Trace + times.Shade) * distance * distance + this->DisplayTime,
-      times.Shade * distance * distance, settings.NumberOfAmbientOcclusionRays };
-  }
-  return true;
+  const auto distance = static_cast<double>(settings.ImageSampleDistance);
+  FrameCost& cost = isCoarse ? this->CostOfCoarseLevel : this->Cost;
+  cost = { (times.Trace + times.Shade) * distance * distance + this->DisplayTime,
+    times.Shade * distance * distance, settings.NumberOfAmbientOcclusionRays };
 }
 
 //------------------------------------------------------------------------------

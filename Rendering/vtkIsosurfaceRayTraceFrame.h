@@ -138,12 +138,19 @@ private:
   vtkIsosurfaceRayTraceAccumulation& FindAccumulation(const Target& target);
   bool Trace(const vtkIsosurfaceRayTracing::Execution& execution, const Drawing& drawing,
     const std::function<bool(double)>& keepGoing);
+  void Show(const vtkIsosurfaceRayTraceSettings& settings,
+    const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing);
   void DisplayColors(const Drawing& drawing);
   void DisplayOpaque(const Drawing& drawing);
   void DisplayIds(const vtkIsosurfaceRayTraceRequest& request, const Drawing& drawing);
   void DisplayGeometry(const vtkIsosurfaceRayTraceSettings& settings,
     const vtkIsosurfaceRayTraceRequest& request, const Target& target, const Drawing& drawing);
   bool IsOpaque(const Drawing& drawing) const;
+  void KeepCost(const vtkIsosurfaceRayTraceSettings& settings, bool isCoarse);
+  const FrameCost& GetCost(bool isCoarse) const
+  {
+    return isCoarse ? this->CostOfCoarseLevel : this->Cost;
+  }
   vtkIsosurfaceRayTraceImageDisplay::Image GetImage(const Drawing& drawing, bool isOpaque) const;
 
   vtkIsosurfaceRayTracePicture Picture;
