@@ -160,32 +160,10 @@ std::string vtkIsosurfaceRayTraceInput::Select(vtkVolumeProperty* property)
   {
     return problem;
   }
-  const bool isSameChoice = scalars.Component == this->Component &&
-    scalars.HasOthers == this->HasOtherComponents && settings.Image == this->ImageSettings;
-  // Thousands of blocks are not put in order again for every frame.
-  const bool areSameParts = this->ChangeOfLeaves == LeavesChange::None && this->ArePartsKept &&
-    isSameChoice && this->ArePartsIntact(settings.Threads);
-  if (!areSameParts)
+  problem = this->UpdateParts(settings, scalars);
+  if (!problem.empty())
   {
-    this->Objects = nullptr;
-    this->ArePartsKept = false;
-    this->ArePlaced = false;
-    problem = this->SelectParts(settings, scalars);
-    if (!problem.empty())
-    {
-      return problem;
-    }
-    // Coordinates of rectilinear grids are modified by themselves.
-    this->ArePartsKept = std::all_of(this->Leaves.Get().begin(), this->Leaves.Get().end(),
-      [](const Leaf& leaf)
-      {
-        return vtkImageData::SafeDownCast(leaf.Data) ||
-          vtkIsosurfaceRayTraceMeshPart::IsMesh(leaf.Data);
-      });
-    this->ChangeOfLeaves = LeavesChange::None;
-    this->Component = scalars.Component;
-    this->HasOtherComponents = scalars.HasOthers;
-    this->ImageSettings = settings.Image;
+    return problem;
   }
   if (settings.Cropping)
   {
@@ -336,6 +314,40 @@ std::string vtkIsosurfaceRayTraceInput::SelectColors(
 }
 
 //------------------------------------------------------------------------------
+/// Thousands of blocks are not put in order again for every frame.
+std::string vtkIsosurfaceRayTraceInput::UpdateParts(
+  const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars)
+{
+  const bool isSameChoice = scalars.Component == this->Component &&
+    scalars.HasOthers == this->HasOtherComponents && settings.Image == this->ImageSettings;
+  if (this->ChangeOfLeaves == LeavesChange::None && this->ArePartsKept && isSameChoice &&
+    this->ArePartsIntact(settings.Threads))
+  {
+    return "";
+  }
+  this->Objects = nullptr;
+  this->ArePartsKept = false;
+  this->ArePlaced = false;
+  std::string problem = this->SelectParts(settings, scalars);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  // Coordinates of rectilinear grids are modified by themselves.
+  this->ArePartsKept = std::all_of(this->Leaves.Get().begin(), this->Leaves.Get().end(),
+    [](const Leaf& leaf)
+    {
+      return vtkImageData::SafeDownCast(leaf.Data) ||
+        vtkIsosurfaceRayTraceMeshPart::IsMesh(leaf.Data);
+    });
+  this->ChangeOfLeaves = LeavesChange::None;
+  this->Component = scalars.Component;
+  this->HasOtherComponents = scalars.HasOthers;
+  this->ImageSettings = settings.Image;
+  return "";
+}
+
+//------------------------------------------------------------------------------
 /// Those of before are kept, if they are still of the same data.
 std::string vtkIsosurfaceRayTraceInput::SelectParts(
   const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars)
@@ -375,17 +387,7 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
   }
   if (vtkUniformGridAMR::SafeDownCast(this->GetData()))
   {
-    // From VTK 9.6 on, blocks may be rectilinear: they have no levels, and are traced as in others.
-    const auto rectilinear = std::stable_partition(grids.begin(), grids.end(),
-      [](const Leaf& leaf) { return vtkImageData::SafeDownCast(leaf.Data) != nullptr; });
-    AmrParts former;
-    if (this->ChangeOfLeaves != LeavesChange::OfAnything)
-    {
-      former = TakeAmrParts(before);
-    }
-    this->Parts = vtkIsosurfaceRayTraceAmrPart::MakeParts({ grids.begin(), rectilinear }, scalars,
-      settings.Image, settings.Cropping, settings.Threads, std::move(former), this->LeftOut);
-    grids.erase(grids.begin(), rectilinear);
+    this->AddAmr(settings, scalars, before, grids);
   }
   for (const std::vector<Leaf>& leaves : vtkIsosurfaceRayTraceLattices::Group(grids))
   {
@@ -405,6 +407,24 @@ std::string vtkIsosurfaceRayTraceInput::SelectParts(
     return "";
   }
   return this->IsComposite ? this->LeftOut.Describe() : first;
+}
+
+//------------------------------------------------------------------------------
+/// Makes the parts of AMR data, and removes their grids from the others.
+void vtkIsosurfaceRayTraceInput::AddAmr(const vtkIsosurfaceRayTraceInputSettings& settings,
+  const vtkIsosurfaceRayTraceScalars& scalars, FormerParts& before, std::vector<Leaf>& grids)
+{
+  // From VTK 9.6 on, blocks may be rectilinear: they have no levels, and are traced as in others.
+  const auto rectilinear = std::stable_partition(grids.begin(), grids.end(),
+    [](const Leaf& leaf) { return vtkImageData::SafeDownCast(leaf.Data) != nullptr; });
+  AmrParts former;
+  if (this->ChangeOfLeaves != LeavesChange::OfAnything)
+  {
+    former = TakeAmrParts(before);
+  }
+  this->Parts = vtkIsosurfaceRayTraceAmrPart::MakeParts({ grids.begin(), rectilinear }, scalars,
+    settings.Image, settings.Cropping, settings.Threads, std::move(former), this->LeftOut);
+  grids.erase(grids.begin(), rectilinear);
 }
 
 //------------------------------------------------------------------------------

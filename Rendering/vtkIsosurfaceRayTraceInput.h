@@ -203,8 +203,13 @@ private:
   std::string SelectLeaves(const vtkIsosurfaceRayTraceInputSettings& settings);
   std::string SelectCloudComponents(vtkVolumeProperty* property);
   std::string SelectColors(const vtkIsosurfaceRayTraceInputSettings& settings);
+  std::string UpdateParts(const vtkIsosurfaceRayTraceInputSettings& settings,
+    const vtkIsosurfaceRayTraceScalars& scalars);
   std::string SelectParts(const vtkIsosurfaceRayTraceInputSettings& settings,
     const vtkIsosurfaceRayTraceScalars& scalars);
+  void AddAmr(const vtkIsosurfaceRayTraceInputSettings& settings,
+    const vtkIsosurfaceRayTraceScalars& scalars, FormerParts& before,
+    std::vector<vtkIsosurfaceRayTraceLeaf>& grids);
   std::string AddMesh(const vtkIsosurfaceRayTraceLeaf& leaf,
     const vtkIsosurfaceRayTraceInputSettings& settings, const vtkIsosurfaceRayTraceScalars& scalars,
     FormerParts& before);
