@@ -44,16 +44,10 @@ constexpr int Samples = 30;
 /// Of the image, which need not begin at zero.
 constexpr std::array<int, 3> FirstIndex = { 4, -7, 0 };
 
-/// A bowl of ripples, which has surface in every block.
-double Ripples(const AnalyticFields::Point& p)
-{
-  return std::sin(5.0 * p[0] + 1.0) * std::cos(4.0 * p[1]) + std::sin(4.5 * p[2]) +
-    0.2 * p[0] * p[1];
-}
-
+/// An image that has surface in every block.
 vtkSmartPointer<vtkImageData> NewWhole()
 {
-  auto image = NewCube(Samples, Ripples);
+  auto image = NewCube(Samples, AnalyticFields::Ripples);
   vtkNew<vtkFloatArray> ofCells;
   ofCells->SetName("of cells");
   vtkNew<vtkFloatArray> height;
@@ -62,8 +56,9 @@ vtkSmartPointer<vtkImageData> NewWhole()
   {
     double bounds[6];
     image->GetCellBounds(i, bounds);
-    ofCells->InsertNextValue(static_cast<float>(Ripples({ 0.5 * (bounds[0] + bounds[1]),
-      0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]) })));
+    ofCells->InsertNextValue(
+      static_cast<float>(AnalyticFields::Ripples({ 0.5 * (bounds[0] + bounds[1]),
+        0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]) })));
   }
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
@@ -466,7 +461,7 @@ void CheckPicking(Checks& check)
       {
         point[axis] -= 2.0 / (Samples - 1) * FirstIndex[axis];
       }
-      far += std::abs(Ripples(point) - 0.2) > 0.5 ? 1 : 0;
+      far += std::abs(AnalyticFields::Ripples(point) - 0.2) > 0.5 ? 1 : 0;
     }
     check.That(ids.size() > 100 && far == 0, "the points selected are near the surface");
   }

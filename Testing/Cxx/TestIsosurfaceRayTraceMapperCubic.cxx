@@ -46,13 +46,6 @@ struct CubicScene : Scene
   }
 };
 
-/// A field that ripples in all directions, above 0 in about half of the cube.
-double Ripples(const Point& p)
-{
-  return std::sin(5.0 * p[0] + 1.0) * std::cos(4.0 * p[1]) + std::sin(4.5 * p[2]) +
-    0.2 * p[0] * p[1];
-}
-
 double Torus(const Point& p)
 {
   return 0.22 - std::hypot(std::hypot(p[0], p[1]) - 0.55, p[2]);
@@ -242,7 +235,7 @@ void CheckRays(Checks& check)
 /// interface.
 void CheckPixels(Checks& check)
 {
-  const auto image = NewCube(14, Ripples);
+  const auto image = NewCube(14, AnalyticFields::Ripples);
   const CubicField field(NewPadded(image));
   CubicScene scene(image);
   scene.Window->Render();
@@ -442,7 +435,7 @@ void CheckUnevenSpacing(Checks& check)
 /// Two blocks and the image they are halves of; one of them alone; scalars of cells and of points.
 void CheckInputs(Checks& check)
 {
-  const auto image = NewCube(20, Ripples);
+  const auto image = NewCube(20, AnalyticFields::Ripples);
   CubicScene whole(image);
   const Picture expected = RenderAndCapture(whole.Window);
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -501,12 +494,12 @@ int TestIsosurfaceRayTraceMapperCubic(int argc, char* argv[])
   CheckPixels(check);
   CheckErrors(check);
   CheckShadows(check);
-  CubicScene ripples(NewCube(33, Ripples));
+  CubicScene ripples(NewCube(33, AnalyticFields::Ripples));
   CheckDeterminism(check, ripples);
   CheckUnevenSpacing(check);
   CheckInputs(check);
 
-  CubicScene scene(NewCube(12, Ripples));
+  CubicScene scene(NewCube(12, AnalyticFields::Ripples));
   scene.SetSurface(0.2, { 0.9, 0.75, 0.5 }, 0.5);
   scene.AddSurface(0.8, { 0.3, 0.55, 0.85 }, 1.0);
   AddShadowsAndClipping(scene);

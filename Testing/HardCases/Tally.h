@@ -57,9 +57,6 @@ public:
   /// Prints the row, and reports failures to GoogleTest.
   void Report();
 
-  std::size_t GetInBandRays() const { return this->InBandRays; }
-  std::size_t GetInBandHits() const { return this->InBandHits; }
-  std::size_t GetHits() const { return this->Hits; }
   std::size_t GetFailures() const { return this->Failures; }
 
 private:

@@ -73,6 +73,13 @@ struct Gyroid
   }
 };
 
+/// A bowl that ripples in all directions, above 0 in about half of the cube from -1 to 1.
+inline double Ripples(const Point& p)
+{
+  return std::sin(5.0 * p[0] + 1.0) * std::cos(4.0 * p[1]) + std::sin(4.5 * p[2]) +
+    0.2 * p[0] * p[1];
+}
+
 /// S. Marschner and R. Lobb's signal, on the cube from -1 to 1 and with values from 0 to 1: ripples
 /// as fine as 40^3 samples can just hold. An Evaluation of Reconstruction Filters for Volume
 /// Rendering, IEEE Visualization 1994.

@@ -7,7 +7,9 @@
 #include "Image/Lattice/UnevenPlanes.h"
 #include "RandomNumbers.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -47,6 +49,21 @@ inline UnevenPlanes RandomPlanes(
 {
   return UnevenPlanes({ RandomPlaces(random, size[0], unevenness),
     RandomPlaces(random, size[1], unevenness), RandomPlaces(random, size[2], unevenness) });
+}
+
+/// Planes at whole numbers, of which all but the outermost are shifted by up to 0.45.
+inline UnevenPlanes ShiftedPlanes(RandomNumbers& random, const Index3& size)
+{
+  std::array<std::vector<double>, 3> coordinates;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int last = size[axis] - 1;
+    for (int i = 0; i <= last; ++i)
+    {
+      coordinates[axis].push_back(i + (i > 0 && i < last ? random.Uniform(-0.45, 0.45) : 0.0));
+    }
+  }
+  return UnevenPlanes(coordinates);
 }
 
 }

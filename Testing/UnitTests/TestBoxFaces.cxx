@@ -10,6 +10,7 @@
 #include "Image/Lattice/UnevenPlanes.h"
 #include "Noise.h"
 #include "RandomNumbers.h"
+#include "RandomPlanes.h"
 #include "SameBits.h"
 #include "TestLines.h"
 #include "TestVolume.h"
@@ -397,16 +398,7 @@ TEST(BoxFacesOfRays, LieHalfwayBetweenUnevenPlanes)
 {
   const auto volume = Noise<float>({ 12, 9, 10 }, 41);
   RandomNumbers random(42);
-  std::array<std::vector<double>, 3> coordinates;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const int last = volume.Dimensions[axis] - 1;
-    for (int i = 0; i <= last; ++i)
-    {
-      coordinates[axis].push_back(i + (i > 0 && i < last ? random.Uniform(-0.45, 0.45) : 0.0));
-    }
-  }
-  const UnevenPlanes planes(coordinates);
+  const UnevenPlanes planes = ShiftedPlanes(random, volume.Dimensions);
   TestRequest request = Request();
   request.Planes = &planes;
   const auto traced = NewTraced(volume, request);
