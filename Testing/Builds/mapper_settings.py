@@ -5,7 +5,7 @@
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
 # FAST is in old builds only.
-SOLVERS = ("ROBUST", "FAST", "ANALYTIC", "MARMITT", "LINEAR")
+SOLVERS = ("ROBUST", "ANALYTIC", "MARMITT", "LINEAR")
 
 
 class NotInThisBuild(Exception):
