@@ -342,21 +342,14 @@ void CheckAgainstPolygons(Checks& check)
   check.Near(worstCosine, 1.0, 1e-3, "the cosine to the exact normal");
 }
 
+/// Of the 27 of cropping.
+constexpr int SomeRegions = 0x5ab3c17;
+
 //------------------------------------------------------------------------------
-/// Clipping, cropping and picking together.
-void CheckCuttingAndPicking(Checks& check)
+/// Hits that are before a plane, and those of them that are in regions.
+void CheckRegions(Checks& check, Scene& scene, vtkPlane* plane)
 {
-  const auto grid = NewGrid(UnevenAxes(), Dent);
-  Scene scene(grid, Size, Size);
-  scene.Volume->SetPosition(0.1, -0.2, 0.05);
-  scene.Volume->RotateX(30.0);
-  vtkNew<vtkPlane> plane;
-  plane->SetNormal(0.2, 0.3, -1.0);
-  plane->SetOrigin(0.0, 0.0, 0.3);
-  scene.Mapper->AddClippingPlane(plane);
-  scene.Mapper->SetCroppingRegionPlanes(-0.3, 0.25, -0.9, 0.1, -0.5, 0.4);
-  scene.Mapper->SetCroppingRegionFlags(0x5ab3c17);
-  for (const int regions : { 0x5ab3c17, VTK_CROP_SUBVOLUME })
+  for (const int regions : { SomeRegions, VTK_CROP_SUBVOLUME })
   {
     scene.Mapper->CroppingOff();
     scene.Mapper->SetCroppingRegionFlags(regions);
@@ -388,12 +381,12 @@ void CheckCuttingAndPicking(Checks& check)
     check.Equal(visible->GetNumberOfPoints(), expected, "the number of hits in regions");
     check.That(expected > 100 && expected < all->GetNumberOfPoints() - 100, "some are cropped");
   }
+}
 
-  scene.Mapper->SetCroppingRegionFlags(0x5ab3c17);
-  scene.SetSurface(0.1, { 0.9, 0.6, 0.3 }, 1.0);
-  scene.LookFrom(1.0, -2.0, 0.8);
-  scene.Window->Render();
-  const auto picture = scene.RenderToImage();
+//------------------------------------------------------------------------------
+/// What is picked at a pixel is what its ray has hit.
+void CheckPicks(Checks& check, Scene& scene, vtkRectilinearGrid* grid, vtkImageData* picture)
+{
   vtkNew<vtkIsosurfacePicker> picker;
   int hits = 0;
   int wrong = 0;
@@ -412,8 +405,7 @@ void CheckCuttingAndPicking(Checks& check)
     double position[3];
     picture->GetPointData()->GetArray("Position")->GetTuple(i, position);
     const bool isSame = picked != 0 && picker->GetCellId() == cell &&
-      std::equal(position, position + 3, picker->GetPickPosition()) &&
-      picker->GetDataSet() == grid.Get();
+      std::equal(position, position + 3, picker->GetPickPosition()) && picker->GetDataSet() == grid;
     wrong += isSame ? 0 : 1;
     double bounds[6];
     grid->GetCellBounds(picker->GetCellId(), bounds);
@@ -434,7 +426,12 @@ void CheckCuttingAndPicking(Checks& check)
   check.That(hits > 150, "hundreds of pixels are hit");
   check.Equal(wrong, 0, "the number of pixels picked wrong");
   check.Near(worst, 0.0, 1e-12, "cell and coordinates of what is picked");
+}
 
+//------------------------------------------------------------------------------
+/// The cells that a selection of the whole window has are those that pixels show.
+void CheckSelection(Checks& check, Scene& scene, vtkImageData* picture)
+{
   std::set<vtkIdType> visible;
   for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
   {
@@ -454,6 +451,30 @@ void CheckCuttingAndPicking(Checks& check)
       std::set<vtkIdType>(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples()) ==
         visible,
     "the cells selected are those visible");
+}
+
+//------------------------------------------------------------------------------
+/// Clipping, cropping and picking together.
+void CheckCuttingAndPicking(Checks& check)
+{
+  const auto grid = NewGrid(UnevenAxes(), Dent);
+  Scene scene(grid, Size, Size);
+  scene.Volume->SetPosition(0.1, -0.2, 0.05);
+  scene.Volume->RotateX(30.0);
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(0.2, 0.3, -1.0);
+  plane->SetOrigin(0.0, 0.0, 0.3);
+  scene.Mapper->AddClippingPlane(plane);
+  scene.Mapper->SetCroppingRegionPlanes(-0.3, 0.25, -0.9, 0.1, -0.5, 0.4);
+  CheckRegions(check, scene, plane);
+
+  scene.Mapper->SetCroppingRegionFlags(SomeRegions);
+  scene.SetSurface(0.1, { 0.9, 0.6, 0.3 }, 1.0);
+  scene.LookFrom(1.0, -2.0, 0.8);
+  scene.Window->Render();
+  const auto picture = scene.RenderToImage();
+  CheckPicks(check, scene, grid, picture);
+  CheckSelection(check, scene, picture);
 }
 
 //------------------------------------------------------------------------------
