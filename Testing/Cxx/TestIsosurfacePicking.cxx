@@ -250,12 +250,13 @@ void CheckPicker(Checks& check)
   check.Equal(wrong, 0, "the number of pixels picked wrong");
   check.Near(worst, 0.0, 1e-12, "cell and coordinates of what is picked");
 
-  // A ray of the caller's is one of IntersectWithLine.
-  double from[3] = { 1.5, -3.0, 0.3 };
-  double towards[4] = { 0.0, 0.0, 0.0, 0.0 };
-  check.That(
-    picker->Pick3DRay(from, towards, scene.Renderer) == 0 || std::isfinite(picker->GetIsovalue()),
-    "a ray in space picks the isosurface or nothing");
+  // A ray of the caller's, from above the middle, by an orientation that turns by no angle.
+  const double* center = scene.Volume->GetCenter();
+  double from[3] = { center[0], center[1], center[2] + 3.0 };
+  double orientation[4] = { 0.0, 0.0, 0.0, 1.0 };
+  check.Equal(picker->Pick3DRay(from, orientation, scene.Renderer), 1, "a ray in space picks");
+  check.That(picker->GetProp3D() == scene.Volume.Get() && std::isfinite(picker->GetIsovalue()),
+    "it picks the isosurface");
 
   // What is in front of the surface is picked instead.
   const auto actor = NewSphere(0.2, { 0.5, -1.5, 0.4 });
@@ -276,10 +277,12 @@ void CheckPicker(Checks& check)
   // VTK's pickers that read the depth buffer find the surface too.
   vtkNew<vtkWorldPointPicker> world;
   world->Pick(Size / 2, Size / 2, 0.0, scene.Renderer);
-  check.That(std::isfinite(world->GetPickPosition()[0]), "vtkWorldPointPicker behaves");
+  check.Near(
+    std::sqrt(vtkMath::Distance2BetweenPoints(world->GetPickPosition(), picker->GetPickPosition())),
+    0.0, 0.05, "the place that vtkWorldPointPicker finds");
   vtkNew<vtkCellPicker> cells;
   cells->Pick(Size / 2, Size / 2, 0.0, scene.Renderer);
-  check.That(std::isfinite(cells->GetPickPosition()[0]), "vtkCellPicker behaves");
+  check.That(cells->GetProp3D() == scene.Volume.Get(), "vtkCellPicker picks the volume");
 }
 
 /// At the border of the data, and of a part cut out of them, each pixel of the picture is picked.
