@@ -244,7 +244,8 @@ int FindPiecesOnRays(const PackedPieces* sets, int firstSet, int numberOfSets, c
   {
     const PackedPieces& packed = sets[set++];
     const RaySet atSet = FindRaysAtSet(packed, rays, firstPlace, count);
-    if (IsEmpty(atSet))
+    // (Not by functions of RaySet: they may be compiled as such, for this instruction set.)
+    if ((atSet.Words[0] | atSet.Words[1]) == 0)
     {
       continue;
     }
@@ -257,15 +258,17 @@ int FindPiecesOnRays(const PackedPieces* sets, int firstSet, int numberOfSets, c
     {
       boxes.Unpack<2>(packed);
     }
-    ForEachRay(atSet,
-      [&](int i)
+    for (int word = 0; word < 2; ++word)
+    {
+      for (std::uint64_t left = atSet.Words[word]; left != 0; left &= left - 1)
       {
-        const int place = firstPlace + i;
+        const int place = firstPlace + 64 * word + LowestBit(left);
         const unsigned int found = FindPiecesOnRay(packed, boxes, rays, place);
         met.Place[met.Count] = place;
         met.Pieces[met.Count] = found;
         met.Count += found != 0 ? 1 : 0;
-      });
+      }
+    }
   }
   return set;
 }

@@ -51,8 +51,8 @@ PencilThroughBoxes RayPencil::GetBounds() const
   int exits = PencilThroughBoxes::Sides;
   const auto add = [&](int axis, bool isUpper, const Edge& edge, double reach)
   {
-    // The lower end is below the upper side of a box, and the upper end above the lower side: while
-    // the depth is larger than there, or until then.
+    // In a box the lower end is below the upper side, and the upper end above the lower side: from
+    // the depth where they meet on, or until then.
     const double inverse = 1.0 / std::copysign(std::max(std::abs(edge.Rate), least), edge.Rate);
     const bool isEntry = (inverse > 0.0) != isUpper;
     const double depth = -edge.AtPlane * inverse;
