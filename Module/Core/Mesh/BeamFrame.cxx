@@ -57,6 +57,17 @@ LinePoint MeetPlane(const RayPacket& lines, int line, const BeamNumbers& frame)
 }
 
 //------------------------------------------------------------------------------
+DepthsOfCoordinate::DepthsOfCoordinate(double place, double rate, double extent)
+{
+  // A smaller rate would move a ray by less than the room that there is for rounding.
+  constexpr double least = 0x1p-22;
+  this->Rate = 1.0 / std::copysign(std::max(std::abs(rate), least), rate);
+  this->AtZero = -place * this->Rate;
+  this->Room = 0x1p-19 * extent * std::abs(this->Rate);
+  this->RoomFromZero = this->Room + 0x1p-21 * std::abs(this->AtZero);
+}
+
+//------------------------------------------------------------------------------
 bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& box)
 {
   int numbers[RayPacket::Capacity];
@@ -226,20 +237,16 @@ RayThroughBoxes BeamFrame::GetRay(float begin) const
   const int axes[3] = { frame.Along, frame.Across[0], frame.Across[1] };
   const double places[3] = { frame.Plane, frame.Center[0], frame.Center[1] };
   const double rates[3] = { frame.Sign, frame.Sign * frame.Slope[0], frame.Sign * frame.Slope[1] };
-  // A smaller rate would move the ray by less than the room that there is for rounding.
-  constexpr double least = 0x1p-22;
   RayThroughBoxes ray{};
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const double inverse = 1.0 / std::copysign(std::max(std::abs(rates[k]), least), rates[k]);
-    const double room = 0x1p-19 * (this->Reach + frame.Length) * std::abs(inverse);
-    const double roomInFloats = room + 0x1p-21 * std::abs(places[k] * inverse);
-    ray.IsUp[axes[k]] = inverse > 0.0;
-    ray.Rate[axes[k]] = static_cast<float>(inverse);
-    ray.Earlier[axes[k]] = static_cast<float>(-places[k] * inverse - roomInFloats);
-    ray.Later[axes[k]] = static_cast<float>(-places[k] * inverse + roomInFloats);
+    const DepthsOfCoordinate depths(places[k], rates[k], this->Reach + frame.Length);
+    ray.IsUp[axes[k]] = depths.Rate > 0.0;
+    ray.Rate[axes[k]] = static_cast<float>(depths.Rate);
+    ray.Earlier[axes[k]] = static_cast<float>(depths.AtZero - depths.RoomFromZero);
+    ray.Later[axes[k]] = static_cast<float>(depths.AtZero + depths.RoomFromZero);
     ray.Place[axes[k]] = places[k];
-    ray.Room[axes[k]] = static_cast<float>(room);
+    ray.Room[axes[k]] = static_cast<float>(depths.Room);
   }
   ray.Begin = begin;
   return ray;

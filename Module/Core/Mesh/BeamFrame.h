@@ -17,6 +17,23 @@
 namespace vtkIsosurfaceRayTracing
 {
 
+/// The depth at which a coordinate of a ray, or of a plane beside rays, is reached: a linear
+/// function of the coordinate.
+struct DepthsOfCoordinate
+{
+  /// Those of one that has a place at the depth 0, and a rate by which it changes with the depth.
+  /// Places within an extent matter.
+  DepthsOfCoordinate(double place, double rate, double extent);
+
+  /// The depth for each step of the coordinate, and that at 0.
+  double Rate;
+  double AtZero;
+  /// What rounding to single precision may take off depths where coordinates are counted from the
+  /// place, and where they are counted from 0.
+  double Room;
+  double RoomFromZero;
+};
+
 /// The frame of a beam: the rays between four lines.
 class BeamFrame
 {

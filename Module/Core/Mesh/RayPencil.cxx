@@ -3,8 +3,9 @@
 
 #include "Mesh/RayPencil.h"
 
+#include "Mesh/BeamFrame.h"
+
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace vtkIsosurfaceRayTracing
@@ -44,8 +45,6 @@ RayPencil::RayPencil(const LoneRays& rays, int firstPlace, int count, const Boun
 //------------------------------------------------------------------------------
 PencilThroughBoxes RayPencil::GetBounds() const
 {
-  // A smaller rate would move an end by less than the room that there is for rounding.
-  constexpr double least = 0x1p-22;
   PencilThroughBoxes bounds{};
   int entries = 0;
   int exits = PencilThroughBoxes::Sides;
@@ -53,13 +52,10 @@ PencilThroughBoxes RayPencil::GetBounds() const
   {
     // In a box the lower end is below the upper side, and the upper end above the lower side: from
     // the depth where they meet on, or until then.
-    const double inverse = 1.0 / std::copysign(std::max(std::abs(edge.Rate), least), edge.Rate);
-    const bool isEntry = (inverse > 0.0) != isUpper;
-    const double depth = -edge.AtPlane * inverse;
-    const double room =
-      0x1p-19 * (reach + this->Frame.Length) * std::abs(inverse) + 0x1p-21 * std::abs(depth);
-    bounds.Bounds[isEntry ? entries++ : --exits] = { axis, isUpper, static_cast<float>(inverse),
-      static_cast<float>(isEntry ? depth - room : depth + room) };
+    const DepthsOfCoordinate depths(edge.AtPlane, edge.Rate, reach + this->Frame.Length);
+    const bool isEntry = (depths.Rate > 0.0) != isUpper;
+    bounds.Bounds[isEntry ? entries++ : --exits] = { axis, isUpper, static_cast<float>(depths.Rate),
+      static_cast<float>(depths.AtZero + (isEntry ? -depths.RoomFromZero : depths.RoomFromZero)) };
   };
   const Edge ahead = { this->Frame.Plane, this->Frame.Sign };
   double reach = 0.0;
