@@ -40,40 +40,43 @@ unsigned int FindChildrenInPencil(const CellTreeNode& node, const PencilThroughB
   return found;
 }
 
-/// Those of up to so many rays in consecutive places as a vector has that may meet a set of pieces;
-/// a bit for each.
-SIMD_INLINE unsigned int FindSomeRaysAtSet(
-  const PackedPieces& set, const LoneRays& rays, int firstPlace, int count)
+/// As many rays as a vector has numbers, as they come to boxes.
+struct RaysThroughBoxes
 {
-  Floats entry = LoadFloats(&rays.Begin[firstPlace]);
-  Floats exit = LoadFloats(&rays.End[firstPlace]);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Floats rate = LoadFloats(&rays.Rate[axis][firstPlace]);
-    const Floats lower = rate * set.Lower[axis];
-    const Floats upper = rate * set.Upper[axis];
-    entry = Max(entry, Min(lower, upper) + LoadFloats(&rays.Earlier[axis][firstPlace]));
-    exit = Min(exit, Max(lower, upper) + LoadFloats(&rays.Later[axis][firstPlace]));
-  }
-  return ~ToBits(exit < entry) & ((1U << count) - 1U);
-}
+  Floats Rate[3];
+  Floats Earlier[3];
+  Floats Later[3];
+  Floats Begin;
+  Floats End;
 
-/// Whether a ray may meet a set of pieces before a depth.
-SIMD_INLINE bool MayMeetSet(const PackedPieces& set, const RayThroughBoxes& ray, float end)
-{
-  float entry = ray.Begin;
-  float exit = end;
-  for (int axis = 0; axis < 3; ++axis)
+  /// Those in consecutive places.
+  SIMD_INLINE RaysThroughBoxes(const LoneRays& rays, int firstPlace)
+    : Begin(LoadFloats(&rays.Begin[firstPlace]))
+    , End(LoadFloats(&rays.End[firstPlace]))
   {
-    const float lower = ray.Rate[axis] * set.Lower[axis];
-    const float upper = ray.Rate[axis] * set.Upper[axis];
-    const float first = (lower < upper ? lower : upper) + ray.Earlier[axis];
-    const float last = (lower < upper ? upper : lower) + ray.Later[axis];
-    entry = entry < first ? first : entry;
-    exit = last < exit ? last : exit;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Rate[axis] = LoadFloats(&rays.Rate[axis][firstPlace]);
+      this->Earlier[axis] = LoadFloats(&rays.Earlier[axis][firstPlace]);
+      this->Later[axis] = LoadFloats(&rays.Later[axis][firstPlace]);
+    }
   }
-  return !(exit < entry);
-}
+
+  /// Which of the first ones may meet a set of pieces; a bit for each.
+  SIMD_INLINE unsigned int FindAtSet(const PackedPieces& set, int count) const
+  {
+    Floats entry = this->Begin;
+    Floats exit = this->End;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Floats lower = this->Rate[axis] * set.Lower[axis];
+      const Floats upper = this->Rate[axis] * set.Upper[axis];
+      entry = Max(entry, Min(lower, upper) + this->Earlier[axis]);
+      exit = Min(exit, Max(lower, upper) + this->Later[axis]);
+    }
+    return ~ToBits(exit < entry) & ((1U << count) - 1U);
+  }
+};
 
 /// Those of some rays in consecutive places that may meet a set of pieces, counted from the first
 /// of them.
@@ -81,12 +84,6 @@ SIMD_INLINE RaySet FindRaysAtSet(
   const PackedPieces& set, const LoneRays& rays, int firstPlace, int count)
 {
   RaySet found = {};
-  if (count == 1)
-  {
-    const int ray = rays.Ray[firstPlace];
-    found.Words[0] = MayMeetSet(set, rays.Through[ray], rays.End[firstPlace]) ? 1 : 0;
-    return found;
-  }
   for (int word = 0; 64 * word < count; ++word)
   {
     std::uint64_t bits = 0;
@@ -94,8 +91,8 @@ SIMD_INLINE RaySet FindRaysAtSet(
     for (int i = 64 * word; i < last; i += FloatWidth)
     {
       const int some = last - i < FloatWidth ? last - i : FloatWidth;
-      bits |= static_cast<std::uint64_t>(FindSomeRaysAtSet(set, rays, firstPlace + i, some))
-        << (i % 64);
+      const RaysThroughBoxes these(rays, firstPlace + i);
+      bits |= static_cast<std::uint64_t>(these.FindAtSet(set, some)) << (i % 64);
     }
     found.Words[word] = bits;
   }
