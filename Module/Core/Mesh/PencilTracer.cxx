@@ -7,6 +7,7 @@
 #include "Mesh/RayPencil.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -30,15 +31,14 @@ RaySet PencilTracer::Trace(const MeshSelection& selection, const RayPacket& pack
   {
     selection.PacketKernels->FindFrames(packet, this->Solver.GetFramed());
   }
-  std::vector<Pencil*> going;
-  for (std::size_t i = 0; i < this->NumberOfPencils; ++i)
+  this->Going.resize(this->NumberOfPencils);
+  std::iota(this->Going.begin(), this->Going.end(), std::size_t{ 0 });
+  while (!this->Going.empty())
   {
-    going.push_back(&this->Pencils[i]);
-  }
-  while (!going.empty())
-  {
-    const auto isAtEnd = [&](Pencil* pencil) { return !this->Advance(selection, *pencil, hits); };
-    going.erase(std::remove_if(going.begin(), going.end(), isAtEnd), going.end());
+    const auto isAtEnd = [&](std::size_t pencil)
+    { return !this->Advance(selection, this->Pencils[pencil], hits); };
+    this->Going.erase(
+      std::remove_if(this->Going.begin(), this->Going.end(), isAtEnd), this->Going.end());
     this->Solve(selection, hits);
   }
   return traced;

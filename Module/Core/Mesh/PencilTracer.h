@@ -72,6 +72,8 @@ private:
   /// Those in use are the first. Some 2 kB for each.
   std::vector<Pencil> Pencils;
   std::size_t NumberOfPencils = 0;
+  /// The numbers of those that are not at their end.
+  std::vector<std::size_t> Going;
   PairSolver Solver;
   /// The ray and the place of each pair.
   std::vector<int> Pairs;
