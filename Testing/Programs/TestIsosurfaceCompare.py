@@ -33,7 +33,7 @@ from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
 
 from DicomSlices import write_dicom_slices
 from Displays import why_no_pictures, with_display, without_display
-from LimitedMemory import LimitedMemory
+from LimitedMemory import LimitedMemory, write_zeros
 
 PROGRAM = sys.argv.pop(1)
 SOURCE = Path(__file__).parents[2]
@@ -474,11 +474,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
 
     def test_memory_of_a_container(self):
         """A volume that takes more is an error; the system would end the process."""
-        header = self.folder / "zeros.mhd"
-        header.write_text("NDims = 3\nDimSize = 512 512 400\nElementType = MET_SHORT\nElementDataFile = zeros.raw\n",
-                          encoding="ascii")  # fmt: skip
-        (self.folder / "zeros.raw").touch()
-        os.truncate(self.folder / "zeros.raw", 2 * 512 * 512 * 400)  # 200 MiB
+        header = write_zeros(self.folder)
         with LimitedMemory(150 << 20) as limited:
             if not limited.is_possible:
                 self.skipTest("no process can be limited")

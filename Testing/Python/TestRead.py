@@ -43,7 +43,7 @@ from TestAmr import NESTED, fill
 
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Support"))
-from LimitedMemory import LimitedMemory
+from LimitedMemory import LimitedMemory, write_zeros
 
 
 class TestRead(unittest.TestCase):
@@ -438,11 +438,7 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
 
     def test_within_a_container(self):
         """What is larger than half of its memory stays in the file."""
-        header = self.folder / "zeros.mhd"
-        header.write_text("NDims = 3\nDimSize = 512 512 400\nElementType = MET_SHORT\nElementDataFile = zeros.raw\n",
-                          encoding="ascii")  # fmt: skip
-        (self.folder / "zeros.raw").touch()
-        os.truncate(self.folder / "zeros.raw", 2 * 512 * 512 * 400)  # 200 MiB
+        header = write_zeros(self.folder)
         with LimitedMemory(300 << 20) as limited:
             if not limited.is_possible:
                 self.skipTest("no process can be limited")

@@ -10,6 +10,16 @@ from pathlib import Path
 MEMORY_GROUPS = Path("/sys/fs/cgroup/memory")  # of version 1
 
 
+def write_zeros(folder):
+    """A MetaImage of 200 MiB, in a file with a hole. Returns the path of its header."""
+    header = folder / "zeros.mhd"
+    header.write_text("NDims = 3\nDimSize = 512 512 400\nElementType = MET_SHORT\nElementDataFile = zeros.raw\n",
+                      encoding="ascii")  # fmt: skip
+    (folder / "zeros.raw").touch()
+    os.truncate(folder / "zeros.raw", 2 * 512 * 512 * 400)
+    return header
+
+
 class LimitedMemory:
     """Run commands with prefix before them. If is_possible is not true, there are no groups, or none for this user."""
 
