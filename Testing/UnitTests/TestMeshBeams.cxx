@@ -355,6 +355,75 @@ TEST_P(MeshBeams, HitWhatTheirRaysHitInBadCells)
   }
 }
 
+/// Hexahedra between points of a lattice, of which many are at the place of another one, with
+/// values that are whole numbers.
+TestMesh MakeCollapsedMesh(RandomNumbers& random)
+{
+  TestMesh mesh = MakeMesh(random, { 3, 3, 3 }, Cutting::Hexahedra, 0.0,
+    [&random](const Index3&) { return static_cast<double>(random.Integer(0, 3)); });
+  const int last = static_cast<int>(mesh.Values.size()) - 1;
+  for (int i = 0; i < 16; ++i)
+  {
+    const int point = random.Integer(0, last - 16);
+    const int beside[] = { 1, 4, 16 };
+    const int other = point + beside[random.Integer(0, 2)];
+    std::copy_n(&mesh.Points[3 * static_cast<std::size_t>(other)], 3,
+      &mesh.Points[3 * static_cast<std::size_t>(point)]);
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+/// Rays through vertices and edges of cells that are collapsed: where they have several hits at one
+/// place, these must not depend on other rays either.
+TEST_P(MeshBeams, HitTheSameAmongAnyRays)
+{
+  RandomNumbers random(34);
+  std::size_t count = 0;
+  for (int i = 0; i < 400; ++i)
+  {
+    const TestMesh mesh = MakeCollapsedMesh(random);
+    MeshField field(mesh.View(), 1);
+    field.Select(TraceRequest({ { 1.0, i % 2 == 0 ? 0.5 : 1.0 } }), { 1, &this->TheKernels });
+    RayPacket packets[2];
+    RayHits hits[2];
+    Vector3 ways[RayPacket::Capacity];
+    Vector3 targets[RayPacket::Capacity];
+    for (int ray = 0; ray < RayPacket::Capacity; ++ray)
+    {
+      const auto getWhole = [&random](int lowest, int highest)
+      { return static_cast<double>(random.Integer(lowest, highest)); };
+      ways[ray] = { getWhole(-2, 2), getWhole(-2, 2), 2.0 * getWhole(0, 1) - 1.0 };
+      targets[ray] =
+        Vector3{ getWhole(0, 6), getWhole(0, 6), getWhole(0, 6) } * 0.5 - ways[ray] * 8.0;
+    }
+    for (RayPacket& packet : packets)
+    {
+      packet.Clear();
+      for (int ray = 0; ray < RayPacket::Capacity; ++ray)
+      {
+        const int number = &packet == packets ? ray : RayPacket::Capacity - 1 - ray;
+        field.AddRay(targets[number], ways[number], 0.0, Infinity, packet);
+      }
+      field.Trace(packet, hits[&packet - packets]);
+    }
+    for (std::size_t ray = 0; ray < RayPacket::Capacity; ++ray)
+    {
+      const std::size_t other = RayPacket::Capacity - 1 - ray;
+      const auto get = [](const RayHits& of, std::size_t number)
+      {
+        return std::vector<Hit>(of.Hits.begin() + static_cast<std::ptrdiff_t>(of.First[number]),
+          of.Hits.begin() + static_cast<std::ptrdiff_t>(of.First[number + 1]));
+      };
+      EXPECT_TRUE(AreSame(get(hits[0], ray), get(hits[1], other)))
+        << "mesh " << i << ", ray " << ray;
+    }
+    count += hits[0].Hits.size();
+  }
+  std::cout << "[ tried    ] " << count << " hits\n";
+  EXPECT_GT(count, 40000U);
+}
+
 //------------------------------------------------------------------------------
 /// Without a frame rays are traced by themselves, which no test of hits would notice.
 TEST(BeamFrame, IsFoundForAllDirections)

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -307,8 +308,10 @@ bool CellHits::FindCandidates(const double* differences, const TrilinearSolution
       this->Candidates.push_back(hit);
     }
   }
+  // Solutions come in no order, and in a cell with collapsed edges several are at one place.
   std::sort(this->Candidates.begin(), this->Candidates.end(),
-    [](const CellHit& a, const CellHit& b) { return a.T < b.T; });
+    [](const CellHit& a, const CellHit& b)
+    { return std::tie(a.T, a.Parametric) < std::tie(b.T, b.Parametric); });
   return isTwisted;
 }
 
