@@ -8,6 +8,7 @@
 #include "Kernels/Kernels.h"
 #include "Math/Bounds.h"
 #include "Mesh/BeamFrame.h"
+#include "Mesh/RayPencil.h"
 #include "RandomNumbers.h"
 #include "Rays/AppendBoxedRay.h"
 
@@ -22,6 +23,7 @@ namespace vtkIsosurfaceRayTracing
 /// A ray through a box with some cells, which begins and ends anywhere in it.
 struct LoneRay
 {
+  Bounds Box;
   RayPacket Packet;
   BeamFrame Frame;
   float Begin;
@@ -29,6 +31,7 @@ struct LoneRay
   bool HasFrame;
 
   LoneRay(RandomNumbers& random, const Bounds& box)
+    : Box(box)
   {
     const double begin = random.Uniform(-0.5, 0.5);
     const double end = begin + random.Uniform(0.1, 2.0);
@@ -48,13 +51,16 @@ struct LoneRay
 
   LoneRay(
     const Bounds& box, const Vector3& origin, const Vector3& direction, double begin, double end)
+    : Box(box)
   {
     this->Set(box, origin, direction, begin, end);
   }
 
-  /// Puts it into a place, in which it is the ray of the packet with this number, too.
+  /// Puts it into a place, in which it is the ray of the packet with this number, too. The others
+  /// go through the same box.
   void Put(int place, LoneRays& rays) const
   {
+    rays.Clear(this->Box);
     rays.Frame[place] = this->Frame.GetNumbers();
     rays.Through[place] = this->GetThrough();
     rays.Place(place, place);
@@ -69,7 +75,8 @@ struct LoneRay
     LoneRays alone;
     this->Put(0, alone);
     MetPieces met;
-    kernels.FindPiecesOnRays(&set, 0, 1, alone, 0, 1, met);
+    kernels.FindPiecesOnRays(
+      &set, 0, 1, alone, { RayPencil::GetBounds(alone.Through[0]), 0, 1, this->End }, met);
     return met.Count == 0 ? 0 : met.Pieces[0];
   }
 

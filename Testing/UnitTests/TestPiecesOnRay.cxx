@@ -362,12 +362,14 @@ TEST_P(PiecesOnRay, FindsSets)
     }
     LoneRays alone;
     ray.Put(0, alone);
+    const PencilThroughBoxes pencil = RayPencil::GetBounds(alone.Through[0]);
     unsigned int found = 0;
     for (int next = 0; next < number;)
     {
       MetPieces met;
       const int first = next;
-      next = this->TheKernels.FindPiecesOnRays(sets, first, number, alone, 0, 1, met);
+      next = this->TheKernels.FindPiecesOnRays(
+        sets, first, number, alone, { pencil, 0, 1, ray.End }, met);
       ASSERT_LT(first, next);
       ASSERT_TRUE(met.Count == 1 || next == number);
       found |= static_cast<unsigned int>(met.Count) << (next - 1);
@@ -563,12 +565,13 @@ TEST_P(PiecesOnRay, FindsPiecesOnManyRays)
     }
     const int first = random.Integer(0, group.GetSize() - 1);
     const int count = random.Integer(1, group.GetSize() - first);
+    const PencilThroughBoxes pencil = RayPencil(group.Placed, first, count, mesh).GetBounds();
     int last = 0;
     for (int next = 0; next < number; last = next)
     {
       MetPieces found;
-      next =
-        this->TheKernels.FindPiecesOnRays(sets, last, number, group.Placed, first, count, found);
+      next = this->TheKernels.FindPiecesOnRays(
+        sets, last, number, group.Placed, { pencil, first, count, group.End }, found);
       for (int set = last; set < next; ++set)
       {
         int entry = 0;

@@ -6,9 +6,11 @@
 
 #include "Kernels/MeshCellArrays.h"
 #include "Math/Arithmetic.h"
+#include "Math/Bounds.h"
 #include "Rays/RayPacket.h"
 #include "Rays/TrilinearSearch.h"
 
+#include <cstddef>
 #include <cstdint>
 
 // What the rays of a beam may meet in a mesh, in single precision. A beam is a set of rays through
@@ -91,6 +93,16 @@ struct PencilThroughBoxes
   bool IsUp;
 };
 
+/// The rays of a pencil, in consecutive places of LoneRays.
+struct RaysInPencil
+{
+  const PencilThroughBoxes& Pencil;
+  int FirstPlace;
+  int Count;
+  /// The depth that the last one ends at.
+  float End;
+};
+
 /// The bounds of what is in a beam: a rectangle of labels, and the depth it begins at.
 struct LabelBounds
 {
@@ -153,27 +165,41 @@ struct LoneRays
 
   /// The ray of the packet in each place.
   int Ray[Capacity];
-  // The numbers of RayThroughBoxes in places, and the depth that a ray ends at. Behind the last one
-  // there is room for a vector.
+  // For each place: the coordinates across at the depth 0 and by how much they change with the
+  // depth, and the depths that the ray begins and ends at. Behind the last one there is room for a
+  // vector.
   static constexpr int Room = 16;
-  alignas(64) float Rate[3][Capacity + Room];
-  alignas(64) float Earlier[3][Capacity + Room];
-  alignas(64) float Later[3][Capacity + Room];
+  alignas(64) float Center[2][Capacity + Room];
+  alignas(64) float Rate[2][Capacity + Room];
   alignas(64) float Begin[Capacity + Room];
   alignas(64) float End[Capacity + Room];
+  /// More than rounding may move a coordinate of a ray in the box by.
+  float Error;
 
-  /// Puts a ray that goes through boxes into a place, but for its end.
+  /// Begins with rays through a box.
+  void Clear(const Bounds& box)
+  {
+    double error = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double extent = box.Upper[axis] - box.Lower[axis];
+      error =
+        Max(error, 0x1p-19 * extent + 0x1p-20 * Max(Abs(box.Lower[axis]), Abs(box.Upper[axis])));
+    }
+    this->Error = static_cast<float>(error);
+  }
+
+  /// Puts a ray into a place, but for its end.
   void Place(int ray, int place)
   {
-    const RayThroughBoxes& through = this->Through[ray];
+    const BeamNumbers& frame = this->Frame[ray];
     this->Ray[place] = ray;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int k = 0; k < 2; ++k)
     {
-      this->Rate[axis][place] = through.Rate[axis];
-      this->Earlier[axis][place] = through.Earlier[axis];
-      this->Later[axis][place] = through.Later[axis];
+      this->Center[k][place] = static_cast<float>(frame.Center[k]);
+      this->Rate[k][place] = static_cast<float>(frame.Sign * frame.Slope[k]);
     }
-    this->Begin[place] = through.Begin;
+    this->Begin[place] = this->Through[ray].Begin;
   }
 };
 

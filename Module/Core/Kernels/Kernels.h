@@ -388,10 +388,10 @@ struct Kernels
   /// ...or one of pieces in other cells, with corners as in PassedCellRecords.
   void (*PackBoxes)(const double (*corners)[PassedCellRecords::Corners][4], PackedPieces& packed);
 
-  /// Looks for the first set, from one on, with pieces that rays in some consecutive places may
-  /// meet before they end, and finds these. Returns the number of the set behind it.
+  /// Looks for the first set, from one on, with pieces that the rays of a pencil may meet before
+  /// they end, and finds these. Returns the number of the set behind it.
   int (*FindPiecesOnRays)(const PackedPieces* sets, int firstSet, int numberOfSets,
-    const LoneRays& rays, int firstPlace, int count, MetPieces& met);
+    const LoneRays& rays, const RaysInPencil& some, MetPieces& met);
 
   /// Bounds the pieces of surfaces in cells as a beam sees them: in tetrahedra, or in trilinear
   /// cells.

@@ -40,59 +40,102 @@ unsigned int FindChildrenInPencil(const CellTreeNode& node, const PencilThroughB
   return found;
 }
 
-/// As many rays as a vector has numbers, as they come to boxes.
-struct RaysThroughBoxes
+/// Of as many sets of pieces as a vector has numbers, from one on, those that rays of a pencil may
+/// meet; a bit for each.
+SIMD_INLINE unsigned int FindSetsInPencil(
+  const PackedPieces* sets, int first, int numberOfSets, const RaysInPencil& some)
 {
-  Floats Rate[3];
-  Floats Earlier[3];
-  Floats Later[3];
-  Floats Begin;
-  Floats End;
-
-  /// Those in consecutive places.
-  SIMD_INLINE RaysThroughBoxes(const LoneRays& rays, int firstPlace)
-    : Begin(LoadFloats(&rays.Begin[firstPlace]))
-    , End(LoadFloats(&rays.End[firstPlace]))
+  const float* lower[FloatWidth];
+  for (int lane = 0; lane < FloatWidth; ++lane)
   {
-    for (int axis = 0; axis < 3; ++axis)
+    lower[lane] = sets[SmallerOf(first + lane, numberOfSets - 1)].Lower;
+  }
+  // The lower bounds and, behind them, the upper ones.
+  Floats bounds[8];
+  LoadFours(lower, bounds);
+  LoadFours(lower, bounds + 4, 2);
+  const auto getDepths = [&bounds](const PencilThroughBoxes::Side& side)
+  {
+    const Floats& bound = bounds[side.Axis + (side.IsUpper ? 5 : 0)];
+    return MultiplyAdd(side.Rate, bound, side.Depth);
+  };
+  const PencilThroughBoxes& pencil = some.Pencil;
+  Floats entry = pencil.Begin;
+  Floats exit = some.End;
+  for (int side = 0; side < pencil.NumberOfEntries; ++side)
+  {
+    entry = Max(entry, getDepths(pencil.Bounds[side]));
+  }
+  for (int side = pencil.NumberOfEntries; side < PencilThroughBoxes::Sides; ++side)
+  {
+    exit = Min(exit, getDepths(pencil.Bounds[side]));
+  }
+  const int count = SmallerOf(numberOfSets - first, FloatWidth);
+  return ~ToBits(exit < entry) & ((1U << count) - 1U);
+}
+
+/// The box of a set of pieces as rays of a pencil come to it, which have one axis and sign: a ray
+/// is in it at some depth if, in the middle of its depths, it is not farther from its middle than
+/// the box is wide, and the ray moves across.
+struct BoxOnRays
+{
+  float Depth;
+  float HalfDepth;
+  float Middle[2];
+  float Half[2];
+
+  SIMD_INLINE BoxOnRays(const PackedPieces& set, const BeamNumbers& frame, float error)
+  {
+    const auto getMiddle = [&set](int axis) { return 0.5F * (set.Lower[axis] + set.Upper[axis]); };
+    const auto getHalf = [&set, error](int axis)
+    { return 0.5F * (set.Upper[axis] - set.Lower[axis]) + error; };
+    this->Depth =
+      static_cast<float>(frame.Sign * (static_cast<double>(getMiddle(frame.Along)) - frame.Plane));
+    this->HalfDepth = getHalf(frame.Along);
+    for (int k = 0; k < 2; ++k)
     {
-      this->Rate[axis] = LoadFloats(&rays.Rate[axis][firstPlace]);
-      this->Earlier[axis] = LoadFloats(&rays.Earlier[axis][firstPlace]);
-      this->Later[axis] = LoadFloats(&rays.Later[axis][firstPlace]);
+      this->Middle[k] = getMiddle(frame.Across[k]);
+      this->Half[k] = getHalf(frame.Across[k]);
     }
   }
 
-  /// Which of the first ones may meet a set of pieces; a bit for each.
-  SIMD_INLINE unsigned int FindAtSet(const PackedPieces& set, int count) const
+  /// Which of some rays, as many as a vector has numbers at most, may come to it; a bit for each.
+  SIMD_INLINE unsigned int Find(const LoneRays& rays, int firstPlace, int count) const
   {
-    Floats entry = this->Begin;
-    Floats exit = this->End;
-    for (int axis = 0; axis < 3; ++axis)
+    FloatMask isBeside = LoadFloats(&rays.End[firstPlace]) < this->Depth - this->HalfDepth;
+    const Floats begin = LoadFloats(&rays.Begin[firstPlace]);
+    isBeside = isBeside | (this->Depth + this->HalfDepth < begin);
+    for (int k = 0; k < 2; ++k)
     {
-      const Floats lower = this->Rate[axis] * set.Lower[axis];
-      const Floats upper = this->Rate[axis] * set.Upper[axis];
-      entry = Max(entry, Min(lower, upper) + this->Earlier[axis]);
-      exit = Min(exit, Max(lower, upper) + this->Later[axis]);
+      const Floats rate = LoadFloats(&rays.Rate[k][firstPlace]);
+      const Floats center = LoadFloats(&rays.Center[k][firstPlace]) - this->Middle[k];
+      const Floats distance = Abs(MultiplyAdd(rate, this->Depth, center));
+      const Floats most = MultiplyAdd(Abs(rate), this->HalfDepth, this->Half[k]);
+      isBeside = isBeside | (most < distance);
     }
-    return ~ToBits(exit < entry) & ((1U << count) - 1U);
+    return ~ToBits(isBeside) & ((1U << count) - 1U);
   }
 };
 
-/// Those of some rays in consecutive places that may meet a set of pieces, counted from the first
-/// of them.
+/// Those of the rays of a pencil that may meet a set of pieces, counted from the first of them.
 SIMD_INLINE RaySet FindRaysAtSet(
-  const PackedPieces& set, const LoneRays& rays, int firstPlace, int count)
+  const PackedPieces& set, const LoneRays& rays, const RaysInPencil& some)
 {
   RaySet found = {};
-  for (int word = 0; 64 * word < count; ++word)
+  if (some.Count == 1)
+  {
+    found.Words[0] = 1; // The pencil is the ray.
+    return found;
+  }
+  const BoxOnRays box(set, rays.Frame[rays.Ray[some.FirstPlace]], rays.Error);
+  for (int word = 0; 64 * word < some.Count; ++word)
   {
     std::uint64_t bits = 0;
-    const int last = count < 64 * (word + 1) ? count : 64 * (word + 1);
+    const int last = some.Count < 64 * (word + 1) ? some.Count : 64 * (word + 1);
     for (int i = 64 * word; i < last; i += FloatWidth)
     {
-      const int some = last - i < FloatWidth ? last - i : FloatWidth;
-      const RaysThroughBoxes these(rays, firstPlace + i);
-      bits |= static_cast<std::uint64_t>(these.FindAtSet(set, some)) << (i % 64);
+      const int number = last - i < FloatWidth ? last - i : FloatWidth;
+      bits |= static_cast<std::uint64_t>(box.Find(rays, some.FirstPlace + i, number)) << (i % 64);
     }
     found.Words[word] = bits;
   }
@@ -232,42 +275,56 @@ SIMD_INLINE unsigned int FindPiecesOnRay(
                                               : found;
 }
 
+/// Those that the rays of a pencil may meet in a set that the pencil comes to.
+SIMD_INLINE void FindPiecesInSet(
+  const PackedPieces& packed, const LoneRays& rays, const RaysInPencil& some, MetPieces& met)
+{
+  const RaySet atSet = FindRaysAtSet(packed, rays, some);
+  // (Not by functions of RaySet: they may be compiled as such, for this instruction set.)
+  if ((atSet.Words[0] | atSet.Words[1]) == 0)
+  {
+    return;
+  }
+  BoxesInSteps boxes;
+  if (packed.AreInTetrahedra)
+  {
+    boxes.Unpack<PackedPieces::Corners>(packed);
+  }
+  else
+  {
+    boxes.Unpack<2>(packed);
+  }
+  for (int word = 0; word < 2; ++word)
+  {
+    for (std::uint64_t left = atSet.Words[word]; left != 0; left &= left - 1)
+    {
+      const int place = some.FirstPlace + 64 * word + LowestBit(left);
+      const unsigned int found = FindPiecesOnRay(packed, boxes, rays, place);
+      met.Place[met.Count] = place;
+      met.Pieces[met.Count] = found;
+      met.Count += found != 0 ? 1 : 0;
+    }
+  }
+}
+
 int FindPiecesOnRays(const PackedPieces* sets, int firstSet, int numberOfSets, const LoneRays& rays,
-  int firstPlace, int count, MetPieces& met)
+  const RaysInPencil& some, MetPieces& met)
 {
   met.Count = 0;
-  int set = firstSet;
-  while (met.Count == 0 && set < numberOfSets)
+  for (int first = firstSet; first < numberOfSets; first += FloatWidth)
   {
-    const PackedPieces& packed = sets[set++];
-    const RaySet atSet = FindRaysAtSet(packed, rays, firstPlace, count);
-    // (Not by functions of RaySet: they may be compiled as such, for this instruction set.)
-    if ((atSet.Words[0] | atSet.Words[1]) == 0)
+    for (unsigned int left = FindSetsInPencil(sets, first, numberOfSets, some); left != 0;
+         left &= left - 1)
     {
-      continue;
-    }
-    BoxesInSteps boxes;
-    if (packed.AreInTetrahedra)
-    {
-      boxes.Unpack<PackedPieces::Corners>(packed);
-    }
-    else
-    {
-      boxes.Unpack<2>(packed);
-    }
-    for (int word = 0; word < 2; ++word)
-    {
-      for (std::uint64_t left = atSet.Words[word]; left != 0; left &= left - 1)
+      const int set = first + LowestBit(left);
+      FindPiecesInSet(sets[set], rays, some, met);
+      if (met.Count > 0)
       {
-        const int place = firstPlace + 64 * word + LowestBit(left);
-        const unsigned int found = FindPiecesOnRay(packed, boxes, rays, place);
-        met.Place[met.Count] = place;
-        met.Pieces[met.Count] = found;
-        met.Count += found != 0 ? 1 : 0;
+        return set + 1;
       }
     }
   }
-  return set;
+  return numberOfSets;
 }
 
 }

@@ -23,6 +23,8 @@ public:
   /// Finds the next leaf before a depth. Returns false if there is none.
   bool FindLeaf(const MeshSelection& selection, float end, std::size_t& leaf);
 
+  const PencilThroughBoxes& GetPencil() const { return this->Pencil; }
+
 private:
   /// A node of the tree, and a depth that it is behind.
   struct Node

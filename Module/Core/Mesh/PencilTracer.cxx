@@ -55,6 +55,7 @@ RaySet PencilTracer::PlaceRays(const MeshSelection& selection, const RaySet& ray
   {
     return traced;
   }
+  this->Rays.Clear(selection.Tree->GetBounds());
   constexpr int ways = 6;
   int raysOfWay[ways][RayPacket::Capacity];
   int counts[ways] = {};
@@ -151,7 +152,8 @@ bool PencilTracer::Advance(const MeshSelection& selection, Pencil& pencil, HitsO
   std::size_t leaf;
   while (pencil.Nodes.FindLeaf(selection, end, leaf))
   {
-    this->AddPieces(selection, pencil, leaf, hits);
+    this->AddPieces(
+      selection, { pencil.Nodes.GetPencil(), pencil.First, pencil.Count, end }, leaf, hits);
     if (this->Pairs.size() != before)
     {
       return true;
@@ -163,7 +165,7 @@ bool PencilTracer::Advance(const MeshSelection& selection, Pencil& pencil, HitsO
 //------------------------------------------------------------------------------
 /// Adds the pairs of rays of a pencil with the pieces of a leaf.
 void PencilTracer::AddPieces(
-  const MeshSelection& selection, const Pencil& pencil, std::size_t leaf, HitsOfRays& hits)
+  const MeshSelection& selection, const RaysInPencil& rays, std::size_t leaf, HitsOfRays& hits)
 {
   for (std::size_t surface = 0; surface < selection.Surfaces.size(); ++surface)
   {
@@ -173,8 +175,7 @@ void PencilTracer::AddPieces(
     for (int next = 0; next < count;)
     {
       MetPieces met;
-      next = selection.PacketKernels->FindPiecesOnRays(
-        sets, next, count, this->Rays, pencil.First, pencil.Count, met);
+      next = selection.PacketKernels->FindPiecesOnRays(sets, next, count, this->Rays, rays, met);
       this->AddPieces(selection, { &sets[next - 1], leaf, static_cast<int>(surface) }, met, hits);
     }
   }

@@ -60,7 +60,7 @@ private:
   }
   bool Advance(const MeshSelection& selection, Pencil& pencil, HitsOfRays& hits);
   void AddPieces(
-    const MeshSelection& selection, const Pencil& pencil, std::size_t leaf, HitsOfRays& hits);
+    const MeshSelection& selection, const RaysInPencil& rays, std::size_t leaf, HitsOfRays& hits);
   void AddPieces(
     const MeshSelection& selection, const SetOfLeaf& set, const MetPieces& met, HitsOfRays& hits);
   void Solve(const MeshSelection& selection, HitsOfRays& hits);

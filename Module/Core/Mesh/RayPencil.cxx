@@ -16,28 +16,29 @@ RayPencil::RayPencil(const LoneRays& rays, int firstPlace, int count, const Boun
   : Frame(rays.Frame[rays.Ray[firstPlace]])
   , Box(box)
 {
-  const float* begins = rays.Begin + firstPlace;
   // Nothing is met before the box: places far from there would be less precise.
+  const float* begins = rays.Begin + firstPlace;
   const double reach = Length(box.Upper * 0.5 - box.Lower * 0.5);
-  this->Begin =
-    std::max(static_cast<double>(*std::min_element(begins, begins + count)), -4.0 * reach);
+  this->Begin = std::clamp(
+    static_cast<double>(*std::min_element(begins, begins + count)), -4.0 * reach, -0x1p-20 * reach);
   for (std::size_t k = 0; k < 2; ++k)
   {
-    double place[2] = { Infinity, -Infinity };
-    double rate[2] = { Infinity, -Infinity };
+    // In the planes where the first ray begins, and where all leave the box.
+    double places[2] = { Infinity, -Infinity };
+    double exits[2] = { Infinity, -Infinity };
     for (int i = 0; i < count; ++i)
     {
       const BeamNumbers& frame = rays.Frame[rays.Ray[firstPlace + i]];
-      const double rateOfRay = frame.Sign * frame.Slope[k];
-      const double placeOfRay = frame.Center[k] + rateOfRay * this->Begin;
-      place[0] = std::min(place[0], placeOfRay);
-      place[1] = std::max(place[1], placeOfRay);
-      rate[0] = std::min(rate[0], rateOfRay);
-      rate[1] = std::max(rate[1], rateOfRay);
+      const double exit = frame.Center[k];
+      const double place = exit + frame.Sign * frame.Slope[k] * this->Begin;
+      places[0] = std::min(places[0], place);
+      places[1] = std::max(places[1], place);
+      exits[0] = std::min(exits[0], exit);
+      exits[1] = std::max(exits[1], exit);
     }
     for (std::size_t end = 0; end < 2; ++end)
     {
-      this->Ends[k][end] = { place[end] - rate[end] * this->Begin, rate[end] };
+      this->Ends[k][end] = { exits[end], (places[end] - exits[end]) / this->Begin };
     }
   }
 }
