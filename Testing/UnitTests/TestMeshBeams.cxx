@@ -355,16 +355,20 @@ TEST_P(MeshBeams, HitWhatTheirRaysHitInBadCells)
   }
 }
 
-/// Hexahedra between points of a lattice, of which many are at the place of another one, with
-/// values that are whole numbers.
-TestMesh MakeCollapsedMesh(RandomNumbers& random)
+/// Cells between points of a lattice, of which many are at the place of another one, with values
+/// that are whole numbers; and such cells that are turned inside out, too.
+TestMesh MakeCollapsedMesh(RandomNumbers& random, Cutting cutting, bool areTurned)
 {
-  TestMesh mesh = MakeMesh(random, { 3, 3, 3 }, Cutting::Hexahedra, 0.0,
-    [&random](const Index3&) { return static_cast<double>(random.Integer(0, 3)); });
-  const int last = static_cast<int>(mesh.Values.size()) - 1;
+  TestMesh mesh = MakeMesh(random, { 3, 3, 3 }, cutting, 0.0,
+    [&](const Index3&)
+    { return areTurned ? random.Uniform(0.0, 3.0) : static_cast<double>(random.Integer(0, 3)); });
+  for (double& coordinate : mesh.Points)
+  {
+    coordinate += areTurned ? 0.5 * random.Integer(-2, 2) : 0.0;
+  }
   for (int i = 0; i < 16; ++i)
   {
-    const int point = random.Integer(0, last - 16);
+    const int point = random.Integer(0, 47); // of 64 of the lattice
     const int beside[] = { 1, 4, 16 };
     const int other = point + beside[random.Integer(0, 2)];
     std::copy_n(&mesh.Points[3 * static_cast<std::size_t>(other)], 3,
@@ -374,17 +378,17 @@ TestMesh MakeCollapsedMesh(RandomNumbers& random)
 }
 
 //------------------------------------------------------------------------------
-/// Rays through vertices and edges of cells that are collapsed: where they have several hits at one
-/// place, these must not depend on other rays either.
+/// Rays through vertices and edges of cells that are collapsed or turned: where they have several
+/// hits at one place, or next to a cell, these must not depend on other rays either.
 TEST_P(MeshBeams, HitTheSameAmongAnyRays)
 {
   RandomNumbers random(34);
   std::size_t count = 0;
-  for (int i = 0; i < 400; ++i)
+  for (int i = 0; i < 800; ++i)
   {
-    const TestMesh mesh = MakeCollapsedMesh(random);
+    const TestMesh mesh = MakeCollapsedMesh(random, AllCuttings[1 + i % 4], i % 8 < 4);
     MeshField field(mesh.View(), 1);
-    field.Select(TraceRequest({ { 1.0, i % 2 == 0 ? 0.5 : 1.0 } }), { 1, &this->TheKernels });
+    field.Select(TraceRequest({ { 1.0, i % 16 < 8 ? 0.5 : 1.0 } }), { 1, &this->TheKernels });
     RayPacket packets[2];
     RayHits hits[2];
     Vector3 ways[RayPacket::Capacity];

@@ -368,8 +368,80 @@ void CellHits::MatchParity(const FaceCrossing* crossings, int count, const doubl
     return;
   }
   CellHit missing = this->MakeHitOnFace(*nearest);
+  if (!this->MoveToPiece(differences, missing.T))
+  {
+    return;
+  }
   missing.Entering = nearest->Entering != IsInside(nearest->Interpolate(differences));
-  hits.insert(nearest == crossings ? hits.begin() : hits.end(), missing);
+  const auto isBefore = [](const CellHit& a, const CellHit& b) { return a.T < b.T; };
+  hits.insert(nearest == crossings ? std::lower_bound(hits.begin(), hits.end(), missing, isBefore)
+                                   : std::upper_bound(hits.begin(), hits.end(), missing, isBefore),
+    missing);
+}
+
+//------------------------------------------------------------------------------
+/// Moves t to where the ray is in the box of the surface, which is in the hull of the points where
+/// segments between corners meet it. Returns false if the ray does not come there. (In a cell that
+/// is turned inside out, signs may differ at two faces of which neither is near the surface.
+/// Elsewhere, no hit is looked for: with one, what an opaque ray hits would depend on the order of
+/// cells.)
+bool CellHits::MoveToPiece(const double* differences, double& t) const
+{
+  const FrameNumbers<double>& ray = this->Frame->GetNumbers();
+  // The coordinates of the ray, by that along its longest axis.
+  const double rates[3] = { 1.0, ray.ShearX, ray.ShearY };
+  double begin = -Infinity;
+  double end = Infinity;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    double lower;
+    double upper;
+    this->FindBoundsOfPiece(differences, this->Frame->GetAxis(k), lower, upper);
+    lower -= ray.Origin[k];
+    upper -= ray.Origin[k];
+    const double atLower = lower / rates[k];
+    const double atUpper = upper / rates[k];
+    const bool isParallel = rates[k] == 0.0;
+    if (isParallel && (lower > 0.0 || upper < 0.0))
+    {
+      return false;
+    }
+    begin = isParallel ? begin : std::max(begin, std::min(atLower, atUpper));
+    end = isParallel ? end : std::min(end, std::max(atLower, atUpper));
+  }
+  const double ends[2] = { begin * ray.Inverse, end * ray.Inverse };
+  if (begin <= end)
+  {
+    t = std::clamp(t, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
+  }
+  return begin <= end;
+}
+
+//------------------------------------------------------------------------------
+/// Along an axis, and room for rounding.
+void CellHits::FindBoundsOfPiece(
+  const double* differences, std::size_t axis, double& lower, double& upper) const
+{
+  lower = Infinity;
+  upper = -Infinity;
+  for (int a = 0; a < this->Cell->Count; ++a)
+  {
+    for (int b = 0; b < this->Cell->Count; ++b)
+    {
+      if (IsInside(differences[a]) && !IsInside(differences[b]))
+      {
+        const double fraction = differences[b] / (differences[b] - differences[a]);
+        const double place =
+          this->Cell->Points[b][axis] * (1.0 - fraction) + this->Cell->Points[a][axis] * fraction;
+        lower = std::min(lower, place);
+        upper = std::max(upper, place);
+      }
+    }
+  }
+  const double room = this->SlackOfT / std::abs(this->Frame->GetNumbers().Inverse) +
+    0x1p-48 * std::max(std::abs(lower), std::abs(upper));
+  lower -= room;
+  upper += room;
 }
 
 //------------------------------------------------------------------------------

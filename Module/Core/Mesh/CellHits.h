@@ -66,6 +66,9 @@ private:
   bool IsInSegment(double t) const;
   void MatchParity(const FaceCrossing* crossings, int count, const double* differences,
     std::vector<CellHit>& hits) const;
+  bool MoveToPiece(const double* differences, double& t) const;
+  void FindBoundsOfPiece(
+    const double* differences, std::size_t axis, double& lower, double& upper) const;
   CellHit MakeHitOnFace(const FaceCrossing& crossing) const;
   CellHit MakeHit(const Vector3& trilinear, const TrilinearSystem& system) const;
 

@@ -72,9 +72,10 @@ public:
   /// What t changes by on such a way along the axis.
   double ToT(double length) const { return length * std::abs(this->Numbers.Inverse); }
 
-  /// The axes across the longest one.
-  std::size_t AcrossX() const { return (this->Along + 1) % 3; }
-  std::size_t AcrossY() const { return (this->Along + 2) % 3; }
+  /// The longest axis, and those across.
+  std::size_t GetAxis(std::size_t number) const { return (this->Along + number) % 3; }
+  std::size_t AcrossX() const { return this->GetAxis(1); }
+  std::size_t AcrossY() const { return this->GetAxis(2); }
 
   const FrameNumbers<double>& GetNumbers() const { return this->Numbers; }
 
