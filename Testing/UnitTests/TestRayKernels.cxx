@@ -9,6 +9,7 @@
 #include "Image/Macrocells/BlockMask.h"
 #include "Matrices.h"
 #include "RandomNumbers.h"
+#include "Rays/AppendBoxedRay.h"
 #include "Rays/Camera.h"
 #include "Rays/RayPacket.h"
 #include "SameBits.h"
@@ -253,17 +254,20 @@ TEST_P(RayKernels, GenerateRaysInFacesOfCells)
 }
 
 //------------------------------------------------------------------------------
-// Rays of any lines, as they are given, of which some do not exist.
-TEST_P(RayKernels, ClipRaysThatAreGiven)
+/// Rays of any lines, as they are given, of which some do not exist. All at once must be cut as one
+/// by one.
+struct GivenRays
 {
-  RandomNumbers random(832);
-  const double bad[] = { 0.0, Infinity, std::nan(""), 1e300, 1e-310 };
-  int clipped = 0;
-  int missing = 0;
-  for (int run = 0; run < 500; ++run)
+  /// Those that are left, and others.
+  int Cut = 0;
+  int Missing = 0;
+
+  /// Makes rays about a volume; append(line, begin, end, packet) cuts one.
+  template <typename AppendOne, typename CutAll>
+  void Check(const Index3& dimensions, const AppendOne& append, const CutAll& cut)
   {
-    const Index3 dimensions = { random.Integer(2, 30), random.Integer(2, 30),
-      random.Integer(2, 600) };
+    const double bad[] = { 0.0, Infinity, std::nan(""), 1e300, 1e-310 };
+    RandomNumbers& random = this->Random;
     RayPacket packet;
     std::memset(&packet, 0xFF, sizeof(packet)); // all numbers are none
     packet.Clear();
@@ -281,14 +285,14 @@ TEST_P(RayKernels, ClipRaysThatAreGiven)
       const double begin = random.Integer(0, 1) ? 0.0 : random.Uniform(0.0, 20.0);
       const double end = random.Integer(0, 1) ? Infinity : random.Uniform(0.0, 60.0);
       packet.Append(line.Origin, line.Direction, begin, end);
-      AppendRay(ClipToVolume(line.Origin, line.Direction, begin, end, dimensions), expected);
+      append(line, begin, end, expected);
       if (random.Integer(0, 9) == 0)
       {
         Remove(packet.Count - 1, packet.Exists);
         Remove(packet.Count - 1, expected.Exists);
       }
     }
-    this->TheKernels.ClipRays(dimensions.data(), packet);
+    cut(packet);
     ASSERT_EQ(packet.Count, count);
     for (int i = 0; i < RayPacket::Capacity; ++i)
     {
@@ -297,11 +301,57 @@ TEST_P(RayKernels, ClipRaysThatAreGiven)
       {
         ASSERT_TRUE(AreSame(GetRay(packet, i), GetRay(expected, i))) << "ray " << i;
       }
-      (Has(packet.Exists, i) ? clipped : missing) += i < count ? 1 : 0;
+      (Has(packet.Exists, i) ? this->Cut : this->Missing) += i < count ? 1 : 0;
     }
   }
-  EXPECT_GT(clipped, 5000);
-  EXPECT_GT(missing, 5000);
+
+  RandomNumbers Random{ 832 };
+};
+
+TEST_P(RayKernels, ClipRaysThatAreGiven)
+{
+  GivenRays rays;
+  for (int run = 0; run < 500; ++run)
+  {
+    RandomNumbers& random = rays.Random;
+    const Index3 dimensions = { random.Integer(2, 30), random.Integer(2, 30),
+      random.Integer(2, 600) };
+    ASSERT_NO_FATAL_FAILURE(rays.Check(
+      dimensions,
+      [&](const Line& line, double begin, double end, RayPacket& packet)
+      { AppendRay(ClipToVolume(line.Origin, line.Direction, begin, end, dimensions), packet); },
+      [&](RayPacket& packet) { this->TheKernels.ClipRays(dimensions.data(), packet); }));
+  }
+  EXPECT_GT(rays.Cut, 5000);
+  EXPECT_GT(rays.Missing, 5000);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(RayKernels, MoveRaysThatAreGivenToBoxes)
+{
+  GivenRays rays;
+  for (int run = 0; run < 500; ++run)
+  {
+    RandomNumbers& random = rays.Random;
+    const Index3 dimensions = { random.Integer(2, 30), random.Integer(2, 30),
+      random.Integer(2, 600) };
+    // Some are flat, and some begin at a place in the volume.
+    Bounds box = { {}, {} };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double size = dimensions[axis] - 1.0;
+      box.Lower[axis] = random.Integer(0, 2) == 0 ? random.Uniform(0.0, 0.5 * size) : 0.0;
+      box.Upper[axis] = random.Integer(0, 9) == 0 ? box.Lower[axis] : size;
+    }
+    ASSERT_NO_FATAL_FAILURE(rays.Check(
+      dimensions,
+      [&](const Line& line, double begin, double end, RayPacket& packet)
+      { AppendBoxedRay(box, line.Origin, line.Direction, begin, end, packet); },
+      [&](RayPacket& packet)
+      { this->TheKernels.MoveRaysToBox(box.Lower.data(), box.Upper.data(), packet); }));
+  }
+  EXPECT_GT(rays.Cut, 5000);
+  EXPECT_GT(rays.Missing, 5000);
 }
 
 //------------------------------------------------------------------------------

@@ -257,6 +257,9 @@ struct Kernels
   /// origins, directions, begins and ends are given.
   void (*ClipRays)(const int dimensions[3], RayPacket& packet);
 
+  /// The same for a box to which rays are moved, as MoveToBox does.
+  void (*MoveRaysToBox)(const double lower[3], const double upper[3], RayPacket& packet);
+
   /// Moves the parts of rays that are in a box to the space of a volume, exactly as ClipToVolume
   /// does after the matrix, which is affine. The moved rays have the places of the rays.
   void (*MoveRays)(const RayPacket& rays, const RaysInBox& parts, const double* ownFromRays,

@@ -131,10 +131,10 @@ SIMD_INLINE void LoadCorner(
 
 #define KERNELS(name)                                                                              \
   const Kernels name = { MakeRays, MakeBoxedRays, CutPacketToBox, FindMetBoxes, ClipRays,          \
-    MoveRays, Align, FindPassages, FindMembersOfRay, FindPassage, FOR_ALL_TYPES(ClassifyCells),    \
-    FOR_ALL_TYPES(FindRanges), FOR_ALL_TYPES(BoundCells), FOR_ALL_TYPES(LoadCorners), Solve,       \
-    SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade, MakePixels,                          \
-    FOR_ALL_TYPES(IncludeRow), FrameRays, FindFrames, EndRays, ProjectChildren,                    \
+    MoveRaysToBox, MoveRays, Align, FindPassages, FindMembersOfRay, FindPassage,                   \
+    FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(FindRanges), FOR_ALL_TYPES(BoundCells),            \
+    FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade,   \
+    MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, FindFrames, EndRays, ProjectChildren,        \
     FindChildrenInPencil, FindChildrenAround, FOR_ALL_TYPES(FindExtents), WeightGradients,         \
     FindCornerGradients, SumAtCorners, PackPolygons, PackBoxes, FindPiecesOnRays,                  \
     BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear,     \

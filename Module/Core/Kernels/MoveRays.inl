@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rays that are moved from the space of a set of fields to that of a member. Included by
-// Kernels.inl only.
+// Rays that are cut to volumes and boxes, or moved from the space of a set of fields to that of a
+// member. Included by Kernels.inl only.
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -43,9 +43,10 @@ void CutPacketToBox(
   }
 }
 
-void ClipRays(const int dimensions[3], RayPacket& packet)
+/// Cuts the rays of a packet that exist; cut(rays) does so, and returns which of these are left.
+template <typename Rays, typename Cut>
+SIMD_INLINE void CutRays(RayPacket& packet, const Cut& cut)
 {
-  const double lastPlanes[3] = { dimensions[0] - 1.0, dimensions[1] - 1.0, dimensions[2] - 1.0 };
   const RaySet given = packet.Exists;
   packet.Exists.Words[0] = 0;
   packet.Exists.Words[1] = 0;
@@ -56,18 +57,31 @@ void ClipRays(const int dimensions[3], RayPacket& packet)
     {
       continue;
     }
-    ClippedRays<Doubles> clipped;
+    Rays rays;
     for (int axis = 0; axis < 3; ++axis)
     {
-      clipped.Origin[axis] = Load(&packet.Origin[axis][i]);
-      clipped.Direction[axis] = Load(&packet.Direction[axis][i]);
+      rays.Origin[axis] = Load(&packet.Origin[axis][i]);
+      rays.Direction[axis] = Load(&packet.Direction[axis][i]);
     }
-    clipped.Begin = Load(&packet.Begin[i]);
-    clipped.End = Load(&packet.End[i]);
-    const Mask exists = ClipToVolume(dimensions, lastPlanes, clipped);
-    StoreRays(clipped, i, packet);
+    rays.Begin = Load(&packet.Begin[i]);
+    rays.End = Load(&packet.End[i]);
+    const Mask exists = cut(rays);
+    StoreRays(rays, i, packet);
     AddLanes(exists & ToMask(some), i, packet.Exists);
   }
+}
+
+void ClipRays(const int dimensions[3], RayPacket& packet)
+{
+  const double lastPlanes[3] = { dimensions[0] - 1.0, dimensions[1] - 1.0, dimensions[2] - 1.0 };
+  CutRays<ClippedRays<Doubles>>(
+    packet, [&](ClippedRays<Doubles>& rays) { return ClipToVolume(dimensions, lastPlanes, rays); });
+}
+
+void MoveRaysToBox(const double lower[3], const double upper[3], RayPacket& packet)
+{
+  CutRays<BoxedRays<Doubles>>(
+    packet, [&](BoxedRays<Doubles>& rays) { return MoveToBox(lower, upper, rays); });
 }
 
 void MoveRays(const RayPacket& rays, const RaysInBox& parts, const double* ownFromRays,

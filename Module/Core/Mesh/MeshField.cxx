@@ -246,6 +246,18 @@ void MeshField::AddRay(const Vector3& origin, const Vector3& direction, double b
 }
 
 //------------------------------------------------------------------------------
+void MeshField::ClipRays(RayPacket& packet) const
+{
+  if (!this->Selection.PacketKernels)
+  {
+    TracedField::ClipRays(packet);
+    return;
+  }
+  const Bounds& box = this->Tree.GetBounds();
+  this->Selection.PacketKernels->MoveRaysToBox(box.Lower.data(), box.Upper.data(), packet);
+}
+
+//------------------------------------------------------------------------------
 void MeshField::MakeRays(const Camera& view, const PixelRectangle& pixels,
   const PixelDepths& depths, RayPacket& packet) const
 {

@@ -45,6 +45,7 @@ public:
   bool AreAllCellsFinite() const { return this->Tree.AreAllFinite(); }
   void AddRay(const Vector3& origin, const Vector3& direction, double begin, double end,
     RayPacket& packet) const override;
+  void ClipRays(RayPacket& packet) const override;
   void MakeRays(const Camera& view, const PixelRectangle& pixels, const PixelDepths& depths,
     RayPacket& packet) const override;
   std::unique_ptr<Beam> MakeBeam() const override;
