@@ -99,7 +99,7 @@ def _read_slices(folder):
     slices = find_slices(folder)
     reader = _new("vtkIOImage.vtkDICOMImageReader")
     with only_files(folder) as files:
-        reader.SetDirectoryName(files)
+        reader.SetDirectoryName(os.fsencode(files))
         data = _read_whole(reader, folder)
     if data is not None:
         if data.GetDimensions()[2] != len(slices):
@@ -117,11 +117,11 @@ def _make_reader(path):
             reader = _new_in_one_process(name)
             break
     else:
-        reader = _module("vtkIOImage").vtkImageReader2Factory.CreateImageReader2(path)
+        reader = _module("vtkIOImage").vtkImageReader2Factory.CreateImageReader2(os.fsencode(path))
         # It takes any file for its own.
         if reader is not None and reader.GetClassName() == "vtkHDRReader" and not path.lower().endswith((".hdr", ".pic")):
             reader = None
-    if reader is None and _new("vtkIOImage.vtkDICOMImageReader").CanReadFile(path):
+    if reader is None and _new("vtkIOImage.vtkDICOMImageReader").CanReadFile(os.fsencode(path)):
         raise ValueError(f"{path} is a file of DICOM; name the folder that the slices are in")
     if path.lower().endswith((".mhd", ".mha")):
         check_metaimage(path)
@@ -132,7 +132,7 @@ def _make_reader(path):
     if reader is None:
         raise ValueError(f"read() does not know {path}; read it by a reader of VTK, as vtkExodusIIReader, and give its "
                          "output, or give a numpy array")
-    reader.SetFileName(path)
+    reader.SetFileName(os.fsencode(path))  # Names that are not UTF-8 have no other form for VTK.
     return reader
 
 
@@ -185,9 +185,9 @@ def _read_whole(reader, path):
 def _map(reader, path):
     """The image in a file, whose samples stay there; None if they cannot. (Those of NIfTI are scaled.)"""
     mapped = vtkMappedImageReader()
-    if reader.GetClassName() == "vtkNIFTIImageReader" or not mapped.CanReadFile(path):
+    if reader.GetClassName() == "vtkNIFTIImageReader" or not mapped.CanReadFile(os.fsencode(path)):
         return None
-    mapped.SetFileName(path)
+    mapped.SetFileName(os.fsencode(path))
     mapped.Update()
     place_by_header(mapped.GetOutput(), path, is_mapped=True)
     return mapped.GetOutput()

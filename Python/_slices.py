@@ -111,9 +111,9 @@ def warn_of_distances(folder, slices):
 def _read_header(path, name):
     """Of a file that is not a slice, nothing."""
     reader = vtkDICOMImageReader()
-    if not os.path.isfile(path) or not reader.CanReadFile(path):
+    if not os.path.isfile(path) or not reader.CanReadFile(os.fsencode(path)):
         return
-    reader.SetFileName(path)
+    reader.SetFileName(os.fsencode(path))
     reader.UpdateInformation()
     syntax = reader.GetTransferSyntaxUID()
     if syntax and syntax not in SYNTAXES:

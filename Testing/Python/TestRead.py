@@ -46,6 +46,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Support"))
 from LimitedMemory import LimitedMemory, write_zeros
 
 
+def make_short_waves(radius):
+    shorts = vtkImageShiftScale()
+    shorts.SetInputData(make_waves(radius))
+    shorts.SetOutputScalarTypeToShort()
+    shorts.Update()
+    return shorts.GetOutput()
+
+
 class TestRead(unittest.TestCase):
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -60,11 +68,7 @@ class TestRead(unittest.TestCase):
 
     def test_volumes(self):
         """The same one in each format makes the same picture."""
-        shorts = vtkImageShiftScale()
-        shorts.SetInputData(make_waves())
-        shorts.SetOutputScalarTypeToShort()
-        shorts.Update()
-        image = shorts.GetOutput()
+        image = make_short_waves(20)
         slices = self.folder / "slices"
         slices.mkdir()
         write_dicom_slices(image, slices)
@@ -501,6 +505,23 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
             with self.subTest(suffix), self.assertRaisesRegex(ValueError, "a pipe or a device"):
                 read(path)
             self.assertFalse(vtkMappedImageReader().CanReadFile(str(path)))
+
+    @unittest.skipUnless(sys.platform.startswith("linux"), "names are text there")
+    def test_names_that_are_not_utf_8(self):
+        image = make_short_waves(5)
+        for writer, name in ((vtkXMLImageDataWriter(), "name.vti"), (vtkMetaImageWriter(), "name.mha"),
+                             (vtkNIFTIImageWriter(), "name.nii"), (vtkDataSetWriter(), "name.vtk")):  # fmt: skip
+            path = self.write(writer, name, image)
+            other = os.path.join(self.folder, os.fsdecode(b"n\xe4me") + path.suffix)
+            path.rename(other)
+            with self.subTest(name):
+                self.assertEqual(read(other).GetScalarRange(), image.GetScalarRange())
+        slices = self.folder / os.fsdecode(b"sl\xefces")
+        slices.mkdir()
+        write_dicom_slices(image, slices)
+        self.assertEqual(read(slices).GetDimensions(), image.GetDimensions())
+        with self.assertRaisesRegex(ValueError, "is a file of DICOM"):
+            read(slices / "000.dcm")
 
     def test_damaged_files(self):
         """Nothing but the exception tells of them."""
