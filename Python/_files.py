@@ -129,6 +129,9 @@ def _make_reader(path):
         check_nrrd(path)
     if reader is not None and reader.IsA("vtkXMLUniformGridAMRReader"):
         reader.SetMaximumLevelsToReadByDefault(0)  # all
+    if reader is not None and reader.IsA("vtkDataReader"):
+        for kind in ("Scalars", "Vectors", "Fields"):
+            getattr(reader, f"ReadAll{kind}On")()
     if reader is None:
         raise ValueError(f"read() does not know {path}; read it by a reader of VTK, as vtkExodusIIReader, and give its "
                          "output, or give a numpy array")

@@ -357,6 +357,18 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
             path = self.write(writer, name, mesh)
             np.testing.assert_array_equal(render(path, 0.5, size=SIZE).rgba, render(mesh, 0.5, size=SIZE).rgba, name)
 
+    def test_all_arrays_of_legacy_files(self):
+        mesh = make_grid(VTK_TETRA, ball)
+        text = self.write(vtkDataSetWriter(), "mesh.vtk", mesh).read_text(encoding="ascii")
+        for kind, values in (("SCALARS {} float\nLOOKUP_TABLE default", "1 "), ("VECTORS {} float", "1 2 3 ")):
+            for name in ("one", "two"):
+                text += kind.format(name) + "\n" + values * mesh.GetNumberOfPoints() + "\n"
+        (self.folder / "mesh.vtk").write_text(text, encoding="ascii")
+        points = read(self.folder / "mesh.vtk").GetPointData()
+        self.assertEqual(points.GetScalars().GetName(), mesh.GetPointData().GetScalars().GetName())
+        self.assertEqual(points.GetNumberOfArrays(), mesh.GetPointData().GetNumberOfArrays() + 2)
+        self.assertEqual(points.GetArray("two").GetNumberOfComponents(), 3)
+
     def test_amr(self):
         amr = vtkOverlappingAMR()
         fill(amr, NESTED, of_cells=True)
