@@ -6,9 +6,19 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkDataSetAttributes
 
 from ._data import grids_of
+
+
+def _of_bytes(array):
+    """The same, but of bits a copy, which numpy can read."""
+    if not isinstance(array, vtkBitArray):
+        return array
+    copy = vtkUnsignedCharArray()
+    copy.DeepCopy(array)
+    return copy
 
 
 class Scalars:
@@ -53,7 +63,7 @@ class Scalars:
     def values(self):
         """Of many values a million, evenly, as a histogram needs them: finite ones, and the lengths of vectors."""
         step = max(1, sum(array.GetNumberOfTuples() for array in self.arrays) // 1_000_000)
-        values = [vtk_to_numpy(array)[::step].astype(float) for array in self.arrays]
+        values = [vtk_to_numpy(_of_bytes(array))[::step].astype(float) for array in self.arrays]
         values = np.concatenate([each if each.ndim == 1 else np.linalg.norm(each, axis=1) for each in values])
         return values[np.isfinite(values)]
 

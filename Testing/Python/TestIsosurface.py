@@ -8,7 +8,7 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_TETRA,
     vtkImageData,
@@ -220,6 +220,16 @@ class TestIsovalues(unittest.TestCase):
         noise[0, 1] = np.inf
         (again,) = isovalues_of(isosurface(array + noise))
         self.assertAlmostEqual(again, threshold, delta=60.0)
+
+    def test_auto_of_bits(self):
+        bits, image = vtkBitArray(), vtkImageData()
+        bits.SetNumberOfTuples(1000)
+        for i in range(1000):
+            bits.SetValue(i, i % 10 > 4)
+        image.SetDimensions(10, 10, 10)
+        image.GetPointData().SetScalars(bits)
+        (threshold,) = isovalues_of(isosurface(image, clip="y"))
+        self.assertTrue(0.0 < threshold < 1.0, threshold)
 
     def test_auto_of_meshes(self):
         (threshold,) = isovalues_of(isosurface(make_grid(VTK_TETRA, ball)))
