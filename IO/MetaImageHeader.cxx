@@ -147,8 +147,9 @@ void CheckFields(const Header& header)
   {
     header.Throw("its header has " + channels + " = " + header.Get(channels));
   }
+  // MET_LONG is of four bytes, which VTK takes for eight.
   const char* const types[] = { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT",
-    "MET_UINT", "MET_LONG", "MET_ULONG", "MET_FLOAT", "MET_DOUBLE" };
+    "MET_UINT", "MET_FLOAT", "MET_DOUBLE" };
   if (std::find(std::begin(types), std::end(types), header.Get("ElementType")) == std::end(types))
   {
     header.Throw("VTK reads no samples of ElementType = " + header.Get("ElementType"));
@@ -299,6 +300,11 @@ double GetCapacityOfMetaImage(const std::string& fileName)
   const double size = GetSizeOfSamples(header) - skipped;
   if (header.IsTrue("CompressedData"))
   {
+    // Without it VTK's reader takes the whole file for samples, the header too.
+    if (header.Get("CompressedDataSize").empty() && FindDataFiles(header).empty())
+    {
+      header.Throw("its header has no CompressedDataSize");
+    }
     // The reader would leave the samples undefined that the missing bytes have.
     if (size < std::strtod(header.Get("CompressedDataSize").c_str(), nullptr))
     {

@@ -48,12 +48,13 @@ def _reports(source, event):
 
 @contextlib.contextmanager
 def silence():
-    """Nothing of what VTK reports is printed meanwhile. (Readers report by objects of their own.)"""
+    """What VTK reports meanwhile is kept in a window, and not printed. (Readers report by objects of their own.)"""
     window, verbosity = vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
-    vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+    kept = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(kept)
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
     try:
-        yield
+        yield kept
     finally:
         vtkLogger.SetStderrVerbosity(verbosity)
         vtkOutputWindow.SetInstance(window)

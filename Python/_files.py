@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, v
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from ._errors import silence
-from ._headers import check_metaimage, check_nrrd, fields_of_metaimage
+from ._headers import check_amr, check_appended, check_metaimage, check_nifti, check_nrrd, fields_of_metaimage, is_true, size_of_samples
 from ._patient import place_by_header, place_nifti, place_slices
 from ._slices import check_values, find_slices, only_files, warn_of_distances
 from .vtkIsosurfaceRayTracing import vtkMappedImageReader
@@ -42,6 +42,10 @@ READERS = {
 }
 
 COLORS_OF_NIFTI = (128, 2304)  # DT_RGB24 and DT_RGBA32, which are not scaled
+
+# What VTK reports, by nothing that can be observed, of files that end before their last samples, and of errors of a reader
+# in another one.
+DAMAGES = ("ERROR: ", "Error reading ascii data", "Error reading binary data", "File operation failed")
 
 
 def read(path: str | os.PathLike) -> vtkDataObject:
@@ -127,7 +131,12 @@ def _make_reader(path):
         check_metaimage(path)
     if reader is not None and reader.IsA("vtkNrrdReader"):
         check_nrrd(path)
+    if reader is not None and reader.IsA("vtkNIFTIImageReader"):
+        check_nifti(path)
+    if reader is not None and reader.IsA("vtkXMLReader"):
+        check_appended(path)
     if reader is not None and reader.IsA("vtkXMLUniformGridAMRReader"):
+        check_amr(path)
         reader.SetMaximumLevelsToReadByDefault(0)  # all
     if reader is not None and reader.IsA("vtkDataReader"):
         for kind in ("Scalars", "Vectors", "Fields"):
@@ -174,9 +183,10 @@ def _read_whole(reader, path):
                           "or a .vti file with raw appended data, needs none")
     if _is_cut(path, size):
         return None
-    reader.Update()
+    with silence() as reports:
+        reader.Update()
     data = reader.GetOutputDataObject(0)
-    if errors or data is None:
+    if errors or data is None or _tell_of_damage(reports.GetOutput()):
         return None
     if reader.GetClassName() == "vtkNIFTIImageReader":
         _finish_nifti(data, reader, path)
@@ -267,9 +277,15 @@ def _is_cut(path, size):
     if not path.lower().endswith((".mhd", ".mha")):
         return False
     fields = fields_of_metaimage(path)
-    if fields.get("CompressedData", b"").lower() == b"true":
+    if is_true(fields.get("CompressedData", b"")):
         digits = fields.get("CompressedDataSize", b"")
         size = int(digits) if digits.isdigit() else 0
-    samples = os.fsdecode(fields.get("ElementDataFile", b""))
-    file_of_samples = path if samples == "LOCAL" else os.path.join(os.path.dirname(path), samples)
-    return os.path.isfile(file_of_samples) and os.path.getsize(file_of_samples) < size
+    elif not is_true(fields.get("BinaryData", b"True")):
+        size /= 4  # A sample of up to eight bytes is at least a digit and a space.
+    return size_of_samples(path, fields) < size
+
+
+def _tell_of_damage(reports):
+    """Whether it is among what VTK has reported, which need not be UTF-8."""
+    text = reports if isinstance(reports, str) else reports.decode("latin-1")
+    return any(damage in text for damage in DAMAGES)

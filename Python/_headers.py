@@ -4,13 +4,23 @@
 
 from __future__ import annotations
 
+import gzip
+import math
+import os
 import re
+import struct
+import zlib
 from typing import NamedTuple
 
 import numpy as np
 
 LONGEST = 1 << 16  # bytes; a header has about a dozen short lines
-LONGEST_NRRD = 1 << 22  # segmentations have some lines for each of hundreds of segments
+LENGTH_NIFTI = 80  # bytes; so many have the type and the dimensions
+LONGEST_TEXT = 1 << 22  # segmentations of NRRD have some lines for each of hundreds of segments, AMR data for each block
+
+# Of MetaImage (MET_LONG is of four bytes there, and VTK takes it for eight) and of NIfTI, what VTK's readers know.
+TYPES_OF_METAIMAGE = ("MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE")
+TYPES_OF_NIFTI = (2, 4, 8, 16, 32, 64, 128, 256, 512, 768, 1024, 1280, 1792, 2304)
 
 # Of the spaces of NRRD that a patient is in, what turns them to x to the right, y to the front and z to the head.
 SPACES = {
@@ -28,19 +38,48 @@ class Place(NamedTuple):
 
 def fields_of_metaimage(path):
     """The lines "name = value" up to the samples."""
-    with open(path, "rb") as stream:
-        lines = stream.read(LONGEST).partition(b"ElementDataFile")
-    header = b"".join(lines[:2]) + lines[2].partition(b"\n")[0]
+    header = _header_of_metaimage(path)
     return {name.decode(): value for name, value in re.findall(rb"^(\w+) *[=:] *(.*?)\s*$", header, re.MULTILINE)}
 
 
+def _header_of_metaimage(path):
+    with open(path, "rb") as stream:
+        lines = stream.read(LONGEST).partition(b"ElementDataFile")
+    return b"".join(lines[:2]) + b"".join(lines[2].partition(b"\n")[:2])
+
+
+def is_true(value):
+    return value[:1] in (b"T", b"t", b"1")
+
+
+def are_local(fields):
+    """Whether the samples are in the file of the header."""
+    return fields.get("ElementDataFile") in (b"LOCAL", b"Local", b"local")
+
+
+def size_of_samples(path, fields):
+    """The bytes that a MetaImage has for samples; without an end where they are in several files."""
+    if are_local(fields):
+        return os.path.getsize(path) - len(_header_of_metaimage(path))
+    samples = os.path.join(os.path.dirname(path), os.fsdecode(fields.get("ElementDataFile", b"")))
+    skipped = fields.get("HeaderSize", b"")
+    return os.path.getsize(samples) - (int(skipped) if skipped.isdigit() else 0) if os.path.isfile(samples) else math.inf
+
+
 def check_metaimage(path):
-    """Refuse files by which VTK's reader ends the process."""
+    """Refuse files by which VTK's reader ends the process, and those of which it gives other samples than there are."""
     fields = fields_of_metaimage(path)
     for name in ("Comment", "Name", "ObjectSubType"):
         if len(fields.get(name, b"")) > 254:
             raise ValueError(f"{path} has a {name} of more than 254 characters, by which VTK's reader ends the process; "
                              "shorten it")
+    kind = fields.get("ElementType", b"").decode("latin-1")
+    if kind.startswith("MET_") and kind not in TYPES_OF_METAIMAGE:
+        raise ValueError(f"{path} has samples of the type {kind}, which VTK does not read; write them as MET_INT, MET_FLOAT or "
+                         "another type of up to 32 bits, or as MET_DOUBLE")
+    if is_true(fields.get("CompressedData", b"")) and are_local(fields) and "CompressedDataSize" not in fields:
+        raise ValueError(f"{path} has compressed samples without their CompressedDataSize, which VTK's reader needs where they "
+                         "are in the file of the header; write them into a file of their own, or not compressed")
 
 
 def place_of_metaimage(path):
@@ -56,6 +95,85 @@ def place_of_metaimage(path):
     spacing = _numbers(_first_of(fields, "ElementSpacing", "ElementSize") or b"1 1 1", 3)
     origin = _numbers(_first_of(fields, "Offset", "Position", "Origin") or b"0 0 0", 3)
     return Place(to_patient[:, None] * axes * np.abs(spacing), to_patient * origin, False)
+
+
+def check_nifti(path):
+    """Refuse files by which VTK's reader crashes: of a type that it does not know, or without a positive dimension."""
+    header = _header_of_nifti(path)
+    is_new = header[4:5] == b"n" and b"2" <= header[6:7] <= b"9"
+    type_at, sizes_at, form = (12, 16, "8q") if is_new else (70, 40, "8h")
+    if len(header) < LENGTH_NIFTI:  # which the reader tells
+        return
+    sizes = struct.unpack_from(f"<{form}", header, sizes_at)
+    order = "<" if 0 <= sizes[0] <= 7 else ">"
+    count, *sizes = struct.unpack_from(order + form, header, sizes_at)
+    (kind,) = struct.unpack_from(f"{order}h", header, type_at)
+    if kind not in TYPES_OF_NIFTI:
+        raise ValueError(f"{path} has samples of the type {kind}, which VTK does not know; write them as float32")
+    if not 0 < count < 8 or min(sizes[:count]) < 0 or 0 in sizes[:count][:3] + sizes[4:count]:  # 0 volumes are taken for one
+        raise ValueError(f"{path} is damaged: its header has the dimensions {sizes[:max(count, 1)]}")
+
+
+def _header_of_nifti(path):
+    """As much as has the type and the dimensions, or less if there is no more."""
+    with open(path, "rb") as stream:
+        is_compressed = stream.read(2) == b"\x1f\x8b"
+    try:
+        with (gzip.open if is_compressed else open)(path, "rb") as stream:
+            return stream.read(LENGTH_NIFTI)
+    except (EOFError, OSError, zlib.error):
+        return b""
+
+
+def check_appended(path):
+    """Refuse files of XML that end before their last samples, and those that name such files: VTK's readers leave these
+    samples undefined where they are raw."""
+    for name in _check_one_appended(path):
+        piece = os.path.join(os.path.dirname(path), os.fsdecode(name))
+        if os.path.isfile(piece):
+            _check_one_appended(piece)
+
+
+def _check_one_appended(path):
+    """The names of files in it."""
+    with open(path, "rb") as stream:
+        text = stream.read(LONGEST_TEXT)
+        start = re.search(rb'<AppendedData\s[^>]*"raw"[^>]*>\s*_', text)
+        header = text[:start.start()] if start else text
+        offsets = re.findall(rb'\soffset\s*=\s*"(\d+)"', header)
+        if start and offsets and not _is_whole(stream, header, start.end() + max(map(int, offsets))):
+            raise ValueError(f"{path} is damaged: it ends before its last samples")
+    return re.findall(rb'\s(?:file|Source)\s*=\s*"([^"]+)"', header)
+
+
+def _is_whole(stream, header, place):
+    """Whether the array at a place is not cut off. The number of its bytes, or of those of each block, is before it."""
+    size = stream.seek(0, os.SEEK_END)
+    kind = np.dtype("u8" if b'"UInt64"' in header.partition(b">")[0] else "u4")
+
+    def take(count):
+        stream.seek(place)
+        order = ">" if b'"BigEndian"' in header else "<"
+        read = stream.read(count * kind.itemsize) if count < size else b""
+        return np.frombuffer(read, kind.newbyteorder(order), len(read) // kind.itemsize)
+
+    if len(bytes_or_blocks := take(1)) < 1:
+        return False
+    count = int(bytes_or_blocks[0])
+    if b" compressor=" not in header:
+        return place + kind.itemsize + count <= size
+    sizes = take(3 + count) if count else bytes_or_blocks
+    return count == 0 or len(sizes) == 3 + count and place + sizes.nbytes + int(sizes[3:].sum()) <= size
+
+
+def check_amr(path):
+    """Refuse files by which VTK's reader crashes: of version 1.0, whose levels have no spacing."""
+    with open(path, "rb") as stream:
+        text = stream.read(LONGEST_TEXT)
+    levels = [] if b'"vtkNonOverlappingAMR"' in text else re.findall(rb"<Block\s[^>]*>", text)
+    if not all(re.search(rb"\sspacing\s*=", level) for level in levels):
+        raise ValueError(f"{path} has levels without a spacing, as files of version 1.0 have, by which VTK's reader crashes; "
+                         "convert it by VTK's vtkXMLHierarchicalBoxDataFileConverter")
 
 
 def check_nrrd(path):
@@ -109,9 +227,9 @@ def place_of_nrrd(path):
 def _header_of_nrrd(path):
     """Its lines, up to an empty one, and whether VTK's reader comes to their end."""
     with open(path, "rb") as stream:
-        text = stream.read(LONGEST_NRRD)
+        text = stream.read(LONGEST_TEXT)
     header, *rest = re.split(rb"(?<=\n)\r?\n", text, maxsplit=1)
-    return header, bool(rest) or len(text) < LONGEST_NRRD and text.endswith(b"\n")
+    return header, bool(rest) or len(text) < LONGEST_TEXT and text.endswith(b"\n")
 
 
 def _fields_of_nrrd(header):

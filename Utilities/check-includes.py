@@ -53,7 +53,8 @@ def make_rules():
     public_headers = find_public_headers()
     public_headers += [f"Parallel/vtkIsosurface{name}.h" for name in ("GhostBlocks", "RayTraceCompositor")]
     rules["IO"] = [compat, "IO"]
-    headers_of_files = [f"IO/{name}.h" for name in ("ImagePlace", "MetaImageHeader", "NiftiHeader", "NrrdHeader", "RawSamples")]
+    headers_of_files = [f"IO/{name}.h" for name in (
+        "HeaderText", "ImagePlace", "MetaImageHeader", "NiftiHeader", "NrrdHeader", "RawSamples")]
     rules["Programs"] = [compat, "Programs", *headers_of_files, *public_headers]
     rules["Examples"] = ["Examples", *public_headers]
     return rules

@@ -3,6 +3,8 @@
 
 #include "ReadDataObject.h"
 
+#include "AppendedData.h"
+#include "HeaderText.h"
 #include "InputFiles.h"
 #include "ReadVolume.h"
 #include "ReaderErrors.h"
@@ -121,12 +123,38 @@ vtkSmartPointer<vtkDataObject> ReadLegacyOfAnyKind(const std::string& fileName)
 template <typename ReaderT>
 vtkSmartPointer<vtkDataObject> ReadXml(const std::string& fileName)
 {
+  CheckAppendedData(fileName);
   return Read(vtkNew<ReaderT>().Get(), fileName);
+}
+
+//------------------------------------------------------------------------------
+/// Throws if a level has no spacing, as in files of version 1.0: VTK's reader crashes.
+void CheckLevels(const std::string& fileName)
+{
+  constexpr std::size_t most = 1 << 22;
+  const std::string text = ImageFiles::ReadBeginning(fileName, most);
+  if (text.find("\"vtkNonOverlappingAMR\"") != std::string::npos)
+  {
+    return;
+  }
+  const std::string level = "<Block ";
+  for (std::size_t i = text.find(level); i != std::string::npos; i = text.find(level, i + 1))
+  {
+    if (text.substr(i, text.find('>', i) - i).find(" spacing=") == std::string::npos)
+    {
+      throw std::runtime_error(fileName +
+        " cannot be read: it has levels without a spacing, as files of version 1.0 have; convert "
+        "it "
+        "by VTK's vtkXMLHierarchicalBoxDataFileConverter");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> ReadAmr(const std::string& fileName)
 {
+  CheckLevels(fileName);
+  CheckAppendedData(fileName);
   vtkNew<vtkXMLUniformGridAMRReader> reader;
   reader->SetMaximumLevelsToReadByDefault(0); // all
   return Read(reader.Get(), fileName);

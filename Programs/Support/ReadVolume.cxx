@@ -3,6 +3,7 @@
 
 #include "ReadVolume.h"
 
+#include "AppendedData.h"
 #include "DicomSlices.h"
 #include "InputFiles.h"
 #include "MetaImageHeader.h"
@@ -378,6 +379,7 @@ vtkSmartPointer<vtkImageData> ReadIntoMemory(
   const double unknown = std::numeric_limits<double>::infinity();
   if (SystemTools::StringEndsWith(SystemTools::LowerCase(fileName), ".vti"))
   {
+    CheckAppendedData(fileName);
     return ReadFile(
       vtkNew<vtkXMLImageDataReader>().Get(), fileName, { unknown, maxMemory, choose, axes });
   }

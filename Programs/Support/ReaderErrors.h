@@ -8,9 +8,11 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+class vtkOutputWindow;
 VTK_ABI_NAMESPACE_END
 
 namespace Programs
@@ -33,6 +35,8 @@ private:
 
   int Count = 0;
   vtkAlgorithm* Reader;
+  /// The one that is replaced meanwhile.
+  vtkSmartPointer<vtkOutputWindow> Window;
   vtkNew<vtkCallbackCommand> Observer;
   /// For the executive, which would only repeat that the reader failed.
   vtkNew<vtkCallbackCommand> Silence;

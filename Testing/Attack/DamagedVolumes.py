@@ -66,9 +66,9 @@ def make_whole_files(folder):
     (folder / "ball.raw").write_bytes(samples)
     packed = zlib.compress(samples)
 
-    def metaimage(data_file, is_compressed=False):
-        return METAIMAGE.format(
-            compressed=is_compressed, edge=EDGE, data_file=data_file).encode("ascii")
+    def metaimage(data_file, packed=b""):
+        compressed = f"True\nCompressedDataSize = {len(packed)}" if packed else False
+        return METAIMAGE.format(compressed=compressed, edge=EDGE, data_file=data_file).encode("ascii")
 
     compressed = vtkXMLImageDataWriter()
     text = vtkXMLImageDataWriter()
@@ -77,7 +77,7 @@ def make_whole_files(folder):
     return {
         "header.mhd": metaimage("ball.raw"),
         "local.mha": metaimage("LOCAL") + samples,
-        "packed.mha": metaimage("LOCAL", True) + packed,
+        "packed.mha": metaimage("LOCAL", packed) + packed,
         "compressed.vti": write(compressed, image, folder / "whole.vti"),
         "text.vti": write(text, image, folder / "whole.vti"),
         "raw.nii": nifti,

@@ -18,7 +18,9 @@ import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from DamagedVolumes import METAIMAGE, EDGE, damage, make_whole_files
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+
+from DamagedVolumes import METAIMAGE, EDGE, damage, make_whole_files, new_ball, write
 
 BENCHMARK_VOLUME = sys.argv.pop()
 COMPARE = sys.argv.pop()
@@ -172,6 +174,7 @@ class TestDamagedVolumes(unittest.TestCase):
             ("DimSize = 12 12 13", "12 x 12 x 13 samples"),
             ("DimSize = 60000 60000 60000", "its file has no more than"),
             ("ElementType = MET_LONG_LONG", "MET_LONG_LONG"),
+            ("ElementType = MET_LONG", "MET_LONG"),
             ("ElementType = MET_DOUBLE", "its file has no more than"),
             ("ElementNumberOfChannels = many", "ElementNumberOfChannels"),
             ("ElementNumberOfChannels = -3", "ElementNumberOfChannels"),
@@ -190,13 +193,33 @@ class TestDamagedVolumes(unittest.TestCase):
 
     def test_compressed_samples_that_are_cut(self):
         """VTK's reader leaves the rest as it was in memory."""
-        packed = self.files["packed.mha"].split(b"LOCAL\n")[1]
-        header = METAIMAGE.format(compressed=True, edge=EDGE, data_file="LOCAL").encode("ascii")
-        sized = header.replace(b"HeaderSize", f"CompressedDataSize = {len(packed)}\nHeaderSize".encode("ascii"))
-        path = self.folder / "sized.mha"
-        path.write_bytes(sized + packed)
-        self.assertEqual(self.read(path).returncode, 0)
-        self.assert_refused("cut.mha", sized + packed[:-1], "is cut off")
+        sized = self.files["packed.mha"]
+        self.assert_refused("cut.mha", sized[:-1], "is cut off")
+        self.assert_refused("unsized.mha", re.sub(b"CompressedDataSize.*\n", b"", sized), "no CompressedDataSize")
+
+    def test_samples_that_are_cut(self):
+        """VTK's readers report that by no object, and leave the rest as it was in memory."""
+        header = "NRRD0004\ntype: short\ndimension: 3\nsizes: 12 12 12\nendian: little\nencoding: raw\n\n"
+        self.assert_refused("cut.nrrd", header.encode("ascii") + bytes(2 * EDGE**3 - 1), "vtkNrrdReader was tried")
+        legacy = ("# vtk DataFile Version 3.0\nmesh\n{}\nDATASET STRUCTURED_GRID\nDIMENSIONS 2 2 2\nPOINTS 8 float\n{}")
+        for kind, samples in (("BINARY", "0" * 80), ("ASCII", "0 " * 23)):
+            path = self.folder / f"{kind}.vtk"
+            path.write_text(legacy.format(kind, samples), encoding="ascii")
+            result = self.read(path, with_compare=True)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn(b"vtkStructuredGridReader was tried", result.stderr)
+
+    def test_raw_appended_data_that_are_cut(self):
+        for compressor in ("None", "ZLib"):
+            writer = vtkXMLImageDataWriter()
+            writer.EncodeAppendedDataOff()
+            getattr(writer, f"SetCompressorTypeTo{compressor}")()
+            whole = write(writer, new_ball(), self.folder / "raw.vti")
+            samples = whole[:whole.rindex(b"\n  </AppendedData>")]
+            (self.folder / "raw.vti").write_bytes(samples)
+            self.assertEqual(self.read(self.folder / "raw.vti").returncode, 0)
+            for length in (len(samples) - 1, samples.index(b"<AppendedData") + 50):
+                self.assert_refused("cut.vti", samples[:length], "cut.vti cannot be read: it ends before its last samples")
 
     def test_dimensions_of_nifti(self):
         """VTK's reader wrote beyond its memory."""
@@ -217,7 +240,7 @@ class TestDamagedVolumes(unittest.TestCase):
 
     def test_limit_of_memory(self):
         """A header that a compressed file could keep: it is believed up to the limit."""
-        header = METAIMAGE.format(compressed=True, edge=1024, data_file="LOCAL").encode("ascii")
+        header = METAIMAGE.format(compressed="True\nCompressedDataSize = 1000", edge=1024, data_file="LOCAL").encode("ascii")
         self.assert_refused("large.mha", header + bytes(3 << 20), "--max-memory sets this limit")
 
 

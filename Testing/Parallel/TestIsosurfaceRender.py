@@ -218,11 +218,17 @@ class TestIsosurfaceRender(unittest.TestCase):
         self.assertNotEqual(self.render(volume, "--isovalue", "157", "--elevation", "-50"), front)
 
     def test_process_that_cannot_read(self):
-        """The last slab is missing: its process says so, and all stop."""
+        """The last slab is damaged: its process says so, and all stop."""
         volume = self.folder / "volume.vti"
-        write(make_image(), volume)
+        writer = vtkXMLImageDataWriter()
+        writer.EncodeAppendedDataOff()
+        writer.SetInputData(make_image())
+        writer.SetFileName(str(volume))
+        writer.Write()
         content = volume.read_bytes()
-        volume.write_bytes(content[: len(content) * 3 // 4])
+        end = content.rindex(b"\n  </AppendedData>")
+        begin = end * 3 // 4
+        volume.write_bytes(content[:begin] + bytes(end - begin) + content[end:])
         result = run("--input", str(volume), "--isovalue", "157", "--output", str(self.picture), *SIZE, processes=3)
         self.check_failure(result, "error: process 2: .*volume.vti cannot be read")
         self.assertNotIn("error: process 0", result.stderr)

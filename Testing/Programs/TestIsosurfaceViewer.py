@@ -396,6 +396,11 @@ class TestIsosurfaceViewer(unittest.TestCase):
         binary.write_bytes(b"\\\1\0\0\n\0\0")
         surface = self.folder / "surface.vtp"
         surface.write_text("<VTKFile type='PolyData'></VTKFile>", encoding="ascii")
+        levels = self.folder / "levels.vthb"
+        levels.write_text('<VTKFile type="vtkHierarchicalBoxDataSet" version="1.0" byte_order="LittleEndian">'
+                          '<vtkHierarchicalBoxDataSet><Block level="0" refinement_ratio="2">'
+                          '<DataSet index="0" amr_box="0 3 0 2 0 2" file="0.vti"/></Block>'
+                          '</vtkHierarchicalBoxDataSet></VTKFile>', encoding="ascii")
         array = self.folder / "array.npy"
         np.save(array, np.zeros((3, 3, 3)))
         mesh = self.write(vtkXMLUnstructuredGridWriter(), "ball.vtu", make_grid(VTK_TETRA, ball))
@@ -414,6 +419,7 @@ class TestIsosurfaceViewer(unittest.TestCase):
             ((text,), "text.vti cannot be read"),
             ((self.folder / "ball.obj",), "there is no file"),
             ((binary,), "binary.mhd cannot be read: it is another kind of file"),
+            ((levels,), "has levels without a spacing, as files of version 1.0 have"),
             ((array,), "VTK has no image reader for"),
             ((surface,), "VTK has no image reader for"),
             ((mesh, "--array", "heat"), 'ball.vtu: there is no array "heat"'),

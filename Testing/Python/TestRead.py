@@ -3,12 +3,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """read() of the Python package: files of every format, folders of DICOM slices, and what is damaged."""
 
+import gzip
 import itertools
 import os
+import re
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 from pathlib import Path
 from unittest import mock
 
@@ -376,6 +380,16 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
             path = self.write(vtkXMLUniformGridAMRWriter(), name, amr)
             np.testing.assert_array_equal(render(path, 0.5, size=SIZE).rgba, render(amr, 0.5, size=SIZE).rgba, name)
 
+    def test_amr_without_spacing(self):
+        """VTK's reader crashes by it."""
+        amr = vtkOverlappingAMR()
+        fill(amr, NESTED, of_cells=True)
+        path = self.write(vtkXMLUniformGridAMRWriter(), "amr.vthb", amr)
+        text = path.read_text(encoding="ascii")
+        path.write_text(re.sub('(level="0") spacing="[^"]*"', r"\1", text), encoding="ascii")
+        with self.assertRaisesRegex(ValueError, "levels without a spacing.* vtkXMLHierarchicalBoxDataFileConverter"):
+            read(path)
+
     def test_images_in_pieces(self):
         image = make_waves(8)
         expected = render(image, ISOVALUE, size=SIZE).rgba
@@ -506,6 +520,94 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
                     self.assertEqual(read(path).GetDimensions(), (5, 4, 3))
                 else:
                     with self.assertRaisesRegex(ValueError, f"a {name} of more than 254 characters"):
+                        read(path)
+
+    def test_types_of_metaimage(self):
+        """VTK's reader takes four bytes for eight, or has no other samples."""
+        path = self.folder / "types.mha"
+        header = "NDims = 3\nBinaryData = True\nDimSize = 5 4 3\nElementType = {}\nElementDataFile = LOCAL\n"
+        for kind in ("MET_LONG", "MET_ULONG", "MET_LONG_LONG", "MET_ULONG_LONG"):
+            path.write_bytes(header.format(kind).encode() + bytes(480))
+            with self.subTest(kind), self.assertRaisesRegex(ValueError, f"samples of the type {kind}, which VTK does not read"):
+                read(path)
+
+    def test_metaimage_as_text(self):
+        """Its samples may have fewer bytes than in memory."""
+        path = self.folder / "text.mha"
+        header = "NDims = 3\nBinaryData = False\nDimSize = 5 4 3\nElementType = MET_DOUBLE\nElementDataFile = LOCAL\n"
+        path.write_text(header + 60 * "7 ", encoding="ascii")
+        self.assertEqual(read(path).GetScalarRange(), (7.0, 7.0))
+
+    def test_metaimage_with_compressed_samples(self):
+        path = self.folder / "packed.mha"
+        packed = zlib.compress(bytes(range(60)))
+        header = f"""NDims = 3\nBinaryData = True\nCompressedData = True\nCompressedDataSize = {len(packed)}
+DimSize = 5 4 3\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n""".encode()
+        path.write_bytes(header + packed)
+        self.assertEqual(read(path).GetScalarRange(), (0.0, 59.0))
+        path.write_bytes(header + packed[:-1])
+        with self.assertRaisesRegex(ValueError, "is damaged"):
+            read(path)
+        path.write_bytes(re.sub(b"CompressedDataSize.*\n", b"", header) + packed)
+        with self.assertRaisesRegex(ValueError, "without their CompressedDataSize"):
+            read(path)
+
+    def test_samples_that_are_cut(self):
+        """VTK's readers leave those undefined that are not there."""
+        metaimage = "NDims = 3\nBinaryData = True\nDimSize = 12 12 12\nElementType = MET_SHORT\n{}ElementDataFile = {}\n"
+        nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 12 12 12\nendian: little\nencoding: raw\n\n"
+        legacy = "# vtk DataFile Version 3.0\nmesh\n{}\nDATASET STRUCTURED_GRID\nDIMENSIONS 2 2 2\nPOINTS 8 float\n"
+        (self.folder / "skipped.raw").write_bytes(bytes(2 * 12**3 + 9))
+        for name, header, samples in (("cut.mha", metaimage.format("", "LOCAL"), bytes(2 * 12**3 - 1)),
+                                      ("cut.mhd", metaimage.format("HeaderSize = 10\n", "skipped.raw"), b""),
+                                      ("cut.nrrd", nrrd, bytes(2 * 12**3 - 1)),
+                                      ("binary.vtk", legacy.format("BINARY"), bytes(95)),
+                                      ("text.vtk", legacy.format("ASCII"), 23 * b"0 ")):  # fmt: skip
+            (self.folder / name).write_bytes(header.encode() + samples)
+            with self.subTest(name), self.assertRaisesRegex(ValueError, f"{name} is damaged"):
+                read(self.folder / name)
+
+    def test_raw_appended_data_that_are_cut(self):
+        """VTK's readers leave those undefined that are not there, or read on."""
+        mesh = make_grid(VTK_TETRA, ball)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, mesh)
+        for writer, name, data in ((vtkXMLImageDataWriter(), "raw.vti", make_waves(5)),
+                                   (vtkXMLUnstructuredGridWriter(), "raw.vtu", mesh),
+                                   (vtkXMLStructuredGridWriter(), "raw.vts", make_structured_grid(ball)),
+                                   (vtkXMLMultiBlockDataWriter(), "raw.vtm", blocks)):  # fmt: skip
+            for compressor, header, order in itertools.product(("None", "ZLib"), ("UInt32", "UInt64"), (0, 1)):
+                writer.EncodeAppendedDataOff()
+                writer.SetByteOrder(order)
+                getattr(writer, f"SetHeaderTypeTo{header}")()
+                getattr(writer, f"SetCompressorTypeTo{compressor}")()
+                path = self.write(writer, name, data)
+                file = self.folder / "raw/raw_0.vtu" if name == "raw.vtm" else path
+                whole = file.read_bytes()
+                samples = whole[:whole.rindex(b"\n  </AppendedData>")]
+                with self.subTest(name, compressor=compressor, header=header, order=order):
+                    file.write_bytes(samples)
+                    read(path)
+                    for length in (len(samples) - 1, samples.index(b"<AppendedData") + 50):
+                        file.write_bytes(samples[:length])
+                        with self.assertRaisesRegex(ValueError, "ends before its last samples"):
+                            read(path)
+
+    def test_nifti_that_vtk_does_not_know(self):
+        """By some of these it ends the process."""
+        path = self.folder / "odd.nii"
+        for kind, sizes, words in ((1536, (3, 9, 9, 9), "of the type 1536"), (7, (3, 9, 9, 9), "of the type 7"),
+                                   (16, (3, 9, 9, 0), r"the dimensions \[9, 9, 0\]"),
+                                   (16, (5, 9, 9, 9, 1, 0), r"the dimensions \[9, 9, 9, 1, 0\]")):  # fmt: skip
+            for order in "<>":
+                old, new = bytearray(352), bytearray(544)
+                struct.pack_into(f"{order}i{36}x{len(sizes)}h", old, 0, 348, *sizes)
+                struct.pack_into(f"{order}hh", old, 70, kind, 32)
+                old[344:347] = b"n+1"
+                struct.pack_into(f"{order}i8s2h{len(sizes)}q", new, 0, 540, b"n+2\0\r\n\x1a\n", kind, 32, *sizes)
+                for header in (old, new, gzip.compress(old)):
+                    path.write_bytes(header)
+                    with self.subTest(kind=kind, sizes=sizes, order=order), self.assertRaisesRegex(ValueError, words):
                         read(path)
 
     @unittest.skipUnless(hasattr(os, "mkfifo"), "pipes have names there")
