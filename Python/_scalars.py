@@ -90,19 +90,24 @@ class Scalars:
         return None, False
 
     def _only_name(self):
-        """The name of the only array where none is active; else None."""
-        is_active = any(grid.GetPointData().GetScalars() or grid.GetCellData().GetScalars() for grid in self.grids)
-        names = self._names()
-        return names[0] if not is_active and len(names) == 1 else None
+        """The name of the only array where none is active, or of that which is active in some grids and not in others; else
+        None."""
+        others, active = [], set()
+        for grid in self.grids:
+            array = grid.GetPointData().GetScalars() or grid.GetCellData().GetScalars()
+            active.update([array.GetName()] if array else [])
+            others += [] if array else [grid]
+        names = self._names() if not active else sorted(active.intersection(self._names(others)))
+        return names[0] if len(names) == 1 and len(active) < 2 else None
 
-    def _names(self):
+    def _names(self, grids=None):
         """Those of arrays of numbers, but for the marks of ghosts."""
-        names = {attributes.GetArrayName(i) for attributes in self._attributes()
+        names = {attributes.GetArrayName(i) for attributes in self._attributes(grids)
                  for i in range(attributes.GetNumberOfArrays()) if attributes.GetArray(i) is not None}
         return sorted(name for name in names if name and name != vtkDataSetAttributes.GhostArrayName())
 
-    def _attributes(self):
-        return [attributes for grid in self.grids for attributes in (grid.GetPointData(), grid.GetCellData())]
+    def _attributes(self, grids=None):
+        return [attributes for grid in (self.grids if grids is None else grids) for attributes in (grid.GetPointData(), grid.GetCellData())]
 
     def _describe_lack(self, name):
         if not name:

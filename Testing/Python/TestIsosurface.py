@@ -190,6 +190,14 @@ class TestData(unittest.TestCase):
             with self.assertWarnsRegex(RuntimeWarning, "'waves' is an array of cells, .* by vtkCellDataToPointData"):
                 np.testing.assert_array_equal(picture_of(blocks, 150, scalars="waves"), expected)
 
+    def test_blocks_in_which_the_array_is_not_active(self):
+        first, second = make_waves(), make_waves()
+        second.SetOrigin(50.0, 0.0, 0.0)
+        expected = picture_of(make_blocks(first, second), 150)
+        second.GetPointData().SetActiveScalars(None)
+        np.testing.assert_array_equal(picture_of(make_blocks(first, second), 150), expected)
+        np.testing.assert_array_equal(picture_of(make_blocks(second, first), 150), expected)
+
     def test_vectors_by_their_length(self):
         array = make_ball() + 1.0
         image = vtkImageData()
