@@ -80,6 +80,15 @@ def check_metaimage(path):
     if is_true(fields.get("CompressedData", b"")) and are_local(fields) and "CompressedDataSize" not in fields:
         raise ValueError(f"{path} has compressed samples without their CompressedDataSize, which VTK's reader needs where they "
                          "are in the file of the header; write them into a file of their own, or not compressed")
+    if not are_local(fields):
+        _check_file_of_samples(path, fields.get("ElementDataFile", b""))
+
+
+def _check_file_of_samples(path, name):
+    """Refuse a header whose samples are in a file that is not there. (Where they are in several, VTK's reader does.)"""
+    name = os.fsdecode(name)
+    if name and "%" not in name and not name.startswith("LIST") and not os.path.exists(os.path.join(os.path.dirname(path), name)):
+        raise ValueError(f"{path} is a header, whose samples are in the file {name}, which is not there; put it beside the header")
 
 
 def place_of_metaimage(path):
@@ -187,9 +196,17 @@ def check_nrrd(path):
         raise ValueError(f"{path} is damaged: its header has no sizes, or not as many as the dimension")
     if list(fields).index(b"dimension") > list(fields).index(b"sizes"):
         raise ValueError(f"{path} is damaged: its header has no dimension before its sizes")
-    if fields.get(b"encoding", b"").lower() in (b"ascii", b"text", b"txt"):
+    encoding = fields.get(b"encoding", b"").lower()
+    if encoding in (b"ascii", b"text", b"txt"):
         raise ValueError(f"{path} has its samples as text, of which VTK's reader skips some; write them with the encoding "
                          "raw or gzip")
+    if encoding not in (b"raw", b"gzip", b"gz"):
+        raise ValueError(f"{path} has the encoding {encoding.decode('latin-1')!r}, which VTK does not read; write it with the "
+                         "encoding raw or gzip")
+    if any(fields.get(name, b"0") != b"0" for name in (b"byte skip", b"byteskip", b"line skip", b"lineskip")):
+        raise ValueError(f"{path} has samples after something else that is to be skipped (byte skip or line skip), which VTK "
+                         "does not do; write them into a file of their own")
+    _check_file_of_samples(path, fields.get(b"data file", fields.get(b"datafile", b"")))
     if not _are_parts_first(fields):
         raise ValueError(f"{path} has components, or several volumes, along an axis that is not the first, which VTK's "
                          "reader takes for them, or does not tell the axis (kinds); write one volume")

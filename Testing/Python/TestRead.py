@@ -500,6 +500,17 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
         self.assertEqual(read(path).GetDimensions(), (12, 3, 3))
         self.assertTrue(vtkMappedImageReader().CanReadFile(str(path)))
 
+    def test_nrrd_that_vtk_does_not_read(self):
+        path = self.folder / "odd.nrrd"
+        header = "NRRD0004\ntype: short\ndimension: 3\nsizes: 12 12 12\nendian: little\nencoding: {}\n{}\n"
+        for encoding, skip, words in (("bzip2", "", "has the encoding 'bzip2'"), ("hex", "", "has the encoding 'hex'"),
+                                      ("raw", "byte skip: 8\n", "byte skip"), ("raw", "line skip: 1\n", "line skip")):
+            path.write_bytes(header.format(encoding, skip).encode() + bytes(2 * 12**3 + 8))
+            with self.subTest(encoding=encoding, skip=skip), self.assertRaisesRegex(ValueError, words):
+                read(path)
+        path.write_bytes(header.format("raw", "byte skip: 0\n").encode() + bytes(2 * 12**3))
+        self.assertEqual(read(path).GetDimensions(), (12, 12, 12))
+
     def test_nrrd_with_a_short_first_axis(self):
         """VTK's reader takes it for components."""
         path = self.folder / "short.nrrd"
@@ -530,6 +541,18 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
             path.write_bytes(header.format(kind).encode() + bytes(480))
             with self.subTest(kind), self.assertRaisesRegex(ValueError, f"samples of the type {kind}, which VTK does not read"):
                 read(path)
+
+    def test_headers_without_their_samples(self):
+        for name, header in (
+                ("alone.mhd", "NDims = 3\nDimSize = 12 12 12\nElementType = MET_SHORT\nElementDataFile = samples.raw\n"),
+                ("alone.nhdr", "NRRD0004\ntype: short\ndimension: 3\nsizes: 12 12 12\nendian: little\nencoding: raw\n"
+                               "data file: samples.raw\n")):  # fmt: skip
+            (self.folder / name).write_text(header, encoding="ascii")
+            with self.subTest(name), self.assertRaisesRegex(ValueError, f"{name} is a header.* in the file samples.raw"):
+                read(self.folder / name)
+        (self.folder / "samples.raw").write_bytes(bytes(2 * 12**3))
+        for name in ("alone.mhd", "alone.nhdr"):
+            self.assertEqual(read(self.folder / name).GetDimensions(), (12, 12, 12))
 
     def test_metaimage_as_text(self):
         """Its samples may have fewer bytes than in memory."""
