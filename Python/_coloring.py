@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData
 from ._data import to_vtk
 from ._numbers import to_array
 from ._property import color_values
-from ._scalars import Scalars
+from ._scalars import Scalars, to_key
 from .vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper
 
 ADDED = "colors of isosurfaces"  # the name of an array that is added to the data
@@ -27,7 +27,7 @@ def color_by(mapper, surface, data, by, cmap, clim):
         if not isinstance(by, str):
             data = _add(np.asanyarray(by), data)  # with the mask, if there is one
             by = ADDED
-        mapper.SetColorArrayName(by)
+        mapper.SetColorArrayName(to_key(by))
         scalars = Scalars(data, by)
     if not _are_colors(scalars.arrays[0]):
         surface.GetRGBTransferFunction().SetVectorModeToMagnitude()  # of vectors the length counts

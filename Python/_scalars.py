@@ -12,6 +12,16 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkDataSetAttributes
 from ._data import grids_of
 
 
+def to_key(name):
+    """The name of an array as VTK has it, whatever its encoding is."""
+    return name and name.encode("utf-8", "surrogateescape")
+
+
+def _to_name(key):
+    """VTK gives the bytes of names that are not UTF-8."""
+    return key.decode("utf-8", "surrogateescape") if isinstance(key, bytes) else key
+
+
 def _of_bytes(array):
     """The same, but of bits a copy, which numpy can read."""
     if not isinstance(array, vtkBitArray):
@@ -29,6 +39,7 @@ class Scalars:
             raise TypeError(f"scalars is {name!r}; give the name of an array")
         self.grids = grids_of(data)
         self.name = name or self._only_name()
+        self.key = to_key(self.name)
         found = [self._find(grid) for grid in self.grids]
         self.arrays = [array for array, _ in found if array is not None]
         kinds = {is_of_points for array, is_of_points in found if array is not None}
@@ -46,7 +57,7 @@ class Scalars:
             mapper.SetVectorModeToMagnitude()
         if not self.name:
             return data
-        mapper.SelectScalarArray(self.name)
+        mapper.SelectScalarArray(self.key)
         (mapper.SetScalarModeToUsePointFieldData if self.of_points else mapper.SetScalarModeToUseCellFieldData)()
         if not isinstance(data, vtkDataSet):
             if self.are_mixed:
@@ -57,7 +68,7 @@ class Scalars:
         copy.ShallowCopy(data)
         if not self.of_points:
             copy.GetPointData().SetActiveAttribute(-1, vtkDataSetAttributes.SCALARS)
-        (copy.GetPointData() if self.of_points else copy.GetCellData()).SetActiveScalars(self.name)
+        (copy.GetPointData() if self.of_points else copy.GetCellData()).SetActiveScalars(self.key)
         return copy
 
     def values(self):
@@ -84,7 +95,7 @@ class Scalars:
     def _find(self, grid):
         """The array of a grid, and whether it is of points."""
         for attributes, is_of_points in ((grid.GetPointData(), True), (grid.GetCellData(), False)):
-            array = attributes.GetArray(self.name) if self.name else attributes.GetScalars()
+            array = attributes.GetArray(self.key) if self.key else attributes.GetScalars()
             if array is not None:
                 return array, is_of_points
         return None, False
@@ -95,14 +106,14 @@ class Scalars:
         others, active = [], set()
         for grid in self.grids:
             array = grid.GetPointData().GetScalars() or grid.GetCellData().GetScalars()
-            active.update([array.GetName()] if array else [])
+            active.update([_to_name(array.GetName())] if array else [])
             others += [] if array else [grid]
         names = self._names() if not active else sorted(active.intersection(self._names(others)))
         return names[0] if len(names) == 1 and len(active) < 2 else None
 
     def _names(self, grids=None):
         """Those of arrays of numbers, but for the marks of ghosts."""
-        names = {attributes.GetArrayName(i) for attributes in self._attributes(grids)
+        names = {_to_name(attributes.GetArrayName(i)) for attributes in self._attributes(grids)
                  for i in range(attributes.GetNumberOfArrays()) if attributes.GetArray(i) is not None}
         return sorted(name for name in names if name and name != vtkDataSetAttributes.GhostArrayName())
 
@@ -112,7 +123,7 @@ class Scalars:
     def _describe_lack(self, name):
         if not name:
             return "the data have no active scalars"
-        others = [attributes.GetAbstractArray(name) for attributes in self._attributes()]
+        others = [attributes.GetAbstractArray(to_key(name)) for attributes in self._attributes()]
         others = [array.GetClassName() for array in others if array]
         if others:
             return f"the array {name!r} has no numbers, but is a {others[0]}"

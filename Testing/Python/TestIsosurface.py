@@ -154,6 +154,20 @@ class TestData(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "they have no arrays of numbers"):
             isosurface(image, 0.2)
 
+    def test_names_that_are_not_utf_8(self):
+        image = input_of(isosurface(make_ball(), 0.0))
+        expected = picture_of(image, 0.2)
+        image.GetPointData().GetScalars().SetName("größe".encode("latin-1"))
+        other = image.GetPointData().GetScalars().NewInstance()
+        other.DeepCopy(image.GetPointData().GetScalars())
+        other.SetName("other")
+        image.GetPointData().AddArray(other)
+        np.testing.assert_array_equal(picture_of(image, 0.2, scalars="gr\udcf6\udcdfe"), expected)
+        colored = picture_of(image, 0.2, scalars="other", color_by="gr\udcf6\udcdfe")
+        np.testing.assert_array_equal(colored, picture_of(image, 0.2, scalars="other", color_by="other"))
+        with self.assertRaisesRegex(ValueError, r"no array 'size': give one of 'gr\\udcf6\\udcdfe', 'other'$"):
+            isosurface(image, 0.2, scalars="size")
+
     def test_other_data_are_drawn_by_the_same_array(self):
         """Whichever is active in them."""
         first, second = make_grid(VTK_TETRA, ball), make_grid(VTK_TETRA, lambda point: ball(point) - 0.1)
