@@ -142,10 +142,10 @@ void CheckLevels(const std::string& fileName)
   {
     if (text.substr(i, text.find('>', i) - i).find(" spacing=") == std::string::npos)
     {
-      throw std::runtime_error(fileName +
-        " cannot be read: it has levels without a spacing, as files of version 1.0 have; convert "
-        "it "
-        "by VTK's vtkXMLHierarchicalBoxDataFileConverter");
+      const char* const error = " cannot be read: it has levels without a spacing, as files of "
+                                "version 1.0 have; convert it by VTK's "
+                                "vtkXMLHierarchicalBoxDataFileConverter";
+      throw std::runtime_error(fileName + error);
     }
   }
 }
