@@ -74,9 +74,9 @@ SIMD_INLINE unsigned int FindSetsInPencil(
   return ~ToBits(exit < entry) & ((1U << count) - 1U);
 }
 
-/// The box of a set of pieces as rays of a pencil come to it, which have one axis and sign: a ray
-/// is in it at some depth if, in the middle of its depths, it is not farther from its middle than
-/// the box is wide, and the ray moves across.
+/// The box of a set of pieces as rays of a pencil come to it, which have one axis and sign. A ray
+/// that comes into it is, at its middle depth, no farther from its middle than half of its size and
+/// half of what the ray moves across within its depths.
 struct BoxOnRays
 {
   float Depth;
