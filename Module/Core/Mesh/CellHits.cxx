@@ -5,6 +5,7 @@
 
 #include "Mesh/CornerOrder.h"
 #include "Mesh/ShapeFunctions.h"
+#include "Mesh/Slab.h"
 #include "Rays/TetrahedronHits.h"
 
 #include <algorithm>
@@ -390,31 +391,22 @@ bool CellHits::MoveToPiece(const double* differences, double& t) const
   const FrameNumbers<double>& ray = this->Frame->GetNumbers();
   // The coordinates of the ray, by that along its longest axis.
   const double rates[3] = { 1.0, ray.ShearX, ray.ShearY };
-  double begin = -Infinity;
-  double end = Infinity;
+  Slab inside = { -Infinity, Infinity };
   for (std::size_t k = 0; k < 3; ++k)
   {
     double lower;
     double upper;
     this->FindBoundsOfPiece(differences, this->Frame->GetAxis(k), lower, upper);
-    lower -= ray.Origin[k];
-    upper -= ray.Origin[k];
-    const double atLower = lower / rates[k];
-    const double atUpper = upper / rates[k];
-    const bool isParallel = rates[k] == 0.0;
-    if (isParallel && (lower > 0.0 || upper < 0.0))
-    {
-      return false;
-    }
-    begin = isParallel ? begin : std::max(begin, std::min(atLower, atUpper));
-    end = isParallel ? end : std::min(end, std::max(atLower, atUpper));
+    const Slab slab = CutToSlab(ray.Origin[k], rates[k], 1.0 / rates[k], lower, upper);
+    inside = { std::max(inside.Begin, slab.Begin), std::min(inside.End, slab.End) };
   }
-  const double ends[2] = { begin * ray.Inverse, end * ray.Inverse };
-  if (begin <= end)
+  if (!(inside.Begin <= inside.End))
   {
-    t = std::clamp(t, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
+    return false;
   }
-  return begin <= end;
+  const double ends[2] = { inside.Begin * ray.Inverse, inside.End * ray.Inverse };
+  t = std::clamp(t, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
+  return true;
 }
 
 //------------------------------------------------------------------------------

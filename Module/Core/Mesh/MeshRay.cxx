@@ -5,35 +5,12 @@
 
 #include "Math/Arithmetic.h"
 #include "Math/Compiler.h"
+#include "Mesh/Slab.h"
 
 #include <algorithm>
 
 namespace vtkIsosurfaceRayTracing
 {
-namespace
-{
-
-/// A part of a ray.
-struct Slab
-{
-  double Begin;
-  double End;
-};
-
-/// The part of a ray between two planes across an axis. A ray parallel to them has all of it, or
-/// nothing.
-Slab CutToSlab(double origin, double direction, double inverse, double lower, double upper)
-{
-  if (direction == 0.0)
-  {
-    return origin >= lower && origin <= upper ? Slab{ -Infinity, Infinity } : Slab{ 1.0, 0.0 };
-  }
-  const double a = (lower - origin) * inverse;
-  const double b = (upper - origin) * inverse;
-  return { std::min(a, b), std::max(a, b) };
-}
-
-}
 
 struct MeshRay::Child
 {
