@@ -305,6 +305,12 @@ struct GivenRays
     }
   }
 
+  Index3 MakeDimensions()
+  {
+    return { this->Random.Integer(2, 30), this->Random.Integer(2, 30),
+      this->Random.Integer(2, 600) };
+  }
+
   RandomNumbers Random{ 832 };
 };
 
@@ -313,9 +319,7 @@ TEST_P(RayKernels, ClipRaysThatAreGiven)
   GivenRays rays;
   for (int run = 0; run < 500; ++run)
   {
-    RandomNumbers& random = rays.Random;
-    const Index3 dimensions = { random.Integer(2, 30), random.Integer(2, 30),
-      random.Integer(2, 600) };
+    const Index3 dimensions = rays.MakeDimensions();
     ASSERT_NO_FATAL_FAILURE(rays.Check(
       dimensions,
       [&](const Line& line, double begin, double end, RayPacket& packet)
@@ -333,8 +337,7 @@ TEST_P(RayKernels, MoveRaysThatAreGivenToBoxes)
   for (int run = 0; run < 500; ++run)
   {
     RandomNumbers& random = rays.Random;
-    const Index3 dimensions = { random.Integer(2, 30), random.Integer(2, 30),
-      random.Integer(2, 600) };
+    const Index3 dimensions = rays.MakeDimensions();
     // Some are flat, and some begin at a place in the volume.
     Bounds box = { {}, {} };
     for (std::size_t axis = 0; axis < 3; ++axis)
