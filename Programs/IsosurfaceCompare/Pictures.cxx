@@ -4,7 +4,7 @@
 #include "Pictures.h"
 
 #include "Png.h"
-#include "ReadMesh.h"
+#include "ReadData.h"
 #include "vtkIsosurfaceRayTraceMapper.h"
 #include "vtkIsosurfaceRayTraceMeshMapper.h"
 

@@ -4,12 +4,11 @@
 // Runs vtkIsosurfaceComparisonFilter from the command line: see --help.
 
 #include "Comparison.h"
-#include "ReadMesh.h"
+#include "ReadData.h"
 #include "Report.h"
 #include "Support/CommandLine.h"
 #include "Support/InputFiles.h"
 #include "Support/OutputFile.h"
-#include "Support/ReadDataObject.h"
 #include "Support/ReadVolume.h"
 #include "Support/ThreadsAtRest.h"
 #include "TableFiles.h"
@@ -113,7 +112,8 @@ Arguments ParseArguments(int argc, char* argv[])
     "A volume: .vti, .nii, .mhd or any other image that VTK reads, or a folder of DICOM slices; or "
     "a mesh: .vtu, .vts, .pvtu, .pvts, .vtk, .vtm or Exodus.");
   commandLine.Add("--array", &arguments.Array,
-    "The array of a mesh, of points or cells. Default: its active scalars.");
+    "The array, of points or cells; that of cells is averaged to points. Default: the active "
+    "scalars, or else the first array.");
   commandLine.Add(
     "--isovalue", &arguments.Isovalues, "One or more isovalues, separated by spaces.");
   commandLine.Add("--methods", &arguments.Methods, methods.c_str());
@@ -252,20 +252,6 @@ double FindPartOfMethods(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataSet> Read(const Arguments& arguments)
-{
-  if (Programs::IsGrid(arguments.Input))
-  {
-    return ReadMesh(arguments.Input, arguments.Array, arguments.MaxMemory);
-  }
-  if (!arguments.Array.empty())
-  {
-    throw std::runtime_error("--array is for meshes; " + arguments.Input + " is none");
-  }
-  return Programs::ReadVolume(arguments.Input, arguments.MaxMemory);
-}
-
-//------------------------------------------------------------------------------
 Comparison Run(const Arguments& arguments, const std::string& command)
 {
   Comparison comparison;
@@ -273,7 +259,7 @@ Comparison Run(const Arguments& arguments, const std::string& command)
   comparison.Input = vtksys::SystemTools::GetFilenameName(arguments.Input);
   comparison.Machine = DescribeMachine();
   comparison.Repeats = arguments.Repeats;
-  comparison.Data = Read(arguments);
+  comparison.Data = ReadData(arguments.Input, arguments.Array, arguments.MaxMemory);
   comparison.Camera = vtkSmartPointer<vtkCamera>::New();
   Filter::LookAt(comparison.Data, comparison.Camera);
 

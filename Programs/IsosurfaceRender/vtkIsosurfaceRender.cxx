@@ -4,6 +4,7 @@
 // A picture of a volume, by one process or by many: see --help.
 
 #include "Slab.h"
+#include "Support/ArrayChoice.h"
 #include "Support/CommandLine.h"
 #include "Support/InputFiles.h"
 #include "Support/OutputFile.h"
@@ -17,6 +18,7 @@
 #include <vtkColorSeries.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkMPIController.h>
 #include <vtkMath.h>
@@ -38,6 +40,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -51,6 +54,7 @@ struct Arguments
 {
   std::string Input;
   std::string Output;
+  std::string Array;
   std::vector<double> Isovalues;
   std::vector<double> Opacities;
   int Width = 1024;
@@ -70,6 +74,9 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
   Programs::CommandLine commandLine(argc, argv);
   commandLine.Add("--input", &arguments.Input,
     "A volume: .vti, .nii, .mhd or any other image that VTK reads, or a folder of DICOM slices.");
+  commandLine.Add("--array", &arguments.Array,
+    "The array of points or cells whose isosurfaces are shown, of vectors those of their "
+    "magnitude. Default: the active scalars, or else the first array.");
   commandLine.Add(
     "--isovalue", &arguments.Isovalues, "One or more isovalues, separated by spaces.");
   commandLine.Add("--opacity", &arguments.Opacities,
@@ -129,37 +136,55 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
 struct Piece
 {
   vtkSmartPointer<vtkImageData> Image;
+  Programs::ArrayChoice Array;
   Render::Extent Whole;
+
+  bool HasVectors() const
+  {
+    return this->Image && this->Array.FindIn(this->Image)->GetNumberOfComponents() > 1;
+  }
 };
 
+//------------------------------------------------------------------------------
+Programs::ArrayChoice ChooseArray(const Arguments& arguments, vtkImageData* image)
+{
+  try
+  {
+    return { { image }, arguments.Array };
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(arguments.Input + ": " + error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
 Piece ReadSlab(const Arguments& arguments, vtkMultiProcessController* controller)
 {
-  // For the normals at the border.
-  constexpr int ghosts = 1;
-  Piece piece;
+  // For the normals at the border, of scalars of cells, too.
+  constexpr int ghosts = 2;
+  Render::Extent whole{};
   Render::Slab slab{};
-  const auto choose = [&](const Render::Extent& whole)
+  const auto choose = [&](const Render::Extent& all)
   {
-    piece.Whole = whole;
+    whole = all;
     slab =
       Render::FindSlab(whole, controller->GetLocalProcessId(), controller->GetNumberOfProcesses());
     return Render::FindExtent(whole, slab, ghosts);
   };
-  piece.Image = Programs::ReadPiece(arguments.Input, arguments.MaxMemory, choose);
-  if (piece.Whole[4] == piece.Whole[5])
+  const vtkSmartPointer<vtkImageData> image =
+    Programs::ReadPiece(arguments.Input, arguments.MaxMemory, choose);
+  const Programs::ArrayChoice array = ChooseArray(arguments, image);
+  if (whole[4] == whole[5])
   {
     throw std::runtime_error(
       arguments.Input + " has a single layer of samples. An isosurface needs two.");
   }
-  if (slab.IsEmpty())
+  if (!slab.IsEmpty() && controller->GetNumberOfProcesses() > 1)
   {
-    piece.Image = nullptr;
+    Render::MarkGhosts(slab, image);
   }
-  else if (controller->GetNumberOfProcesses() > 1)
-  {
-    Render::MarkGhosts(slab, piece.Image);
-  }
-  return piece;
+  return { slab.IsEmpty() ? nullptr : image, array, whole };
 }
 
 //------------------------------------------------------------------------------
@@ -315,13 +340,13 @@ std::string FindRemedy(const Arguments& arguments, double lowest, double highest
 //------------------------------------------------------------------------------
 /// Says why there may be no surface. To be called by all.
 void WarnOfNothing(
-  const Arguments& arguments, vtkImageData* image, vtkMultiProcessController* controller)
+  const Arguments& arguments, const Piece& piece, vtkMultiProcessController* controller)
 {
   double own[2] = { std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity() };
-  if (image)
+  if (piece.Image)
   {
-    image->GetScalarRange(own);
+    piece.Array.FindIn(piece.Image)->GetRange(own, piece.HasVectors() ? -1 : 0);
   }
   double lowest = 0.0;
   double highest = 0.0;
@@ -357,7 +382,7 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
 {
   const bool isFirst = controller->GetLocalProcessId() == 0;
   const double start = vtkTimerLog::GetUniversalTime();
-  Piece piece;
+  std::optional<Piece> piece;
   const bool isRead = Try(controller,
     [&]
     {
@@ -374,7 +399,12 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
     return false;
   }
   vtkNew<vtkIsosurfaceRayTraceMapper> mapper;
-  mapper->SetInputData(piece.Image);
+  mapper->SetInputData(piece->Image);
+  piece->Array.SelectFor(mapper);
+  if (piece->HasVectors())
+  {
+    mapper->SetVectorModeToMagnitude();
+  }
   mapper->SetCacheDirectory(arguments.Cache.c_str());
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
@@ -382,7 +412,7 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
   vtkNew<vtkCamera> camera;
   if (isFirst)
   {
-    LookAt(piece, arguments, camera);
+    LookAt(*piece, arguments, camera);
   }
   vtkNew<vtkIsosurfaceRayTraceCompositor> compositor;
   compositor->SetController(controller);
@@ -395,7 +425,7 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
   }
   if (IsEmpty(picture, controller))
   {
-    WarnOfNothing(arguments, piece.Image, controller);
+    WarnOfNothing(arguments, *piece, controller);
   }
   PrintTimes(readTime, compositor, controller);
   return AreAllFine(

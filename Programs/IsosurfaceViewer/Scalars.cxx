@@ -3,17 +3,13 @@
 
 #include "Scalars.h"
 
-#include <vtkAbstractVolumeMapper.h>
 #include <vtkArrayDispatch.h>
 #include <vtkCell.h>
-#include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkDataArrayRange.h>
 #include <vtkDataSet.h>
-#include <vtkDataSetAttributes.h>
 #include <vtkMath.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -27,49 +23,18 @@ namespace Viewer
 namespace
 {
 
-/// Those with a volume, or the data themselves.
+/// Those with a volume, or the data themselves. Throws if there is none.
 std::vector<vtkDataSet*> FindBlocks(vtkDataObject* data)
 {
   std::vector<vtkDataSet*> blocks = vtkCompositeDataSet::GetDataSets<vtkDataSet>(data);
   const auto isNone = [](vtkDataSet* block)
   { return block->GetNumberOfCells() == 0 || vtkPolyData::SafeDownCast(block); };
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isNone), blocks.end());
+  if (blocks.empty())
+  {
+    throw std::runtime_error("there is no image, no grid and no mesh of volume cells");
+  }
   return blocks;
-}
-
-//------------------------------------------------------------------------------
-/// The active scalars, or the first array that has a name; null if there is none.
-vtkDataArray* FindDefault(vtkDataSetAttributes* attributes)
-{
-  vtkDataArray* array = attributes->GetScalars();
-  for (int i = 0; !array && i < attributes->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* next = attributes->GetArray(i);
-    array =
-      next && next->GetName() && next != attributes->GetArray("vtkGhostType") ? next : nullptr;
-  }
-  return array;
-}
-
-//------------------------------------------------------------------------------
-std::string ListArrays(const std::vector<vtkDataSet*>& blocks)
-{
-  std::string list;
-  for (vtkDataSet* block : blocks)
-  {
-    for (vtkDataSetAttributes* attributes :
-      { static_cast<vtkDataSetAttributes*>(block->GetPointData()),
-        static_cast<vtkDataSetAttributes*>(block->GetCellData()) })
-    {
-      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-      {
-        const char* name = attributes->GetArray(i) ? attributes->GetArrayName(i) : nullptr;
-        const std::string entry = name ? std::string(" ") + name : "";
-        list += (list + " ").find(entry + " ") == std::string::npos ? entry : "";
-      }
-    }
-  }
-  return list.empty() ? " none" : list;
 }
 
 //------------------------------------------------------------------------------
@@ -97,31 +62,22 @@ struct VisitValues
 
 //------------------------------------------------------------------------------
 Scalars::Scalars(vtkDataObject* data, const std::string& name)
-  : Name(name)
+  : Scalars(FindBlocks(data), name)
+{
+}
+
+//------------------------------------------------------------------------------
+Scalars::Scalars(const std::vector<vtkDataSet*>& blocks, const std::string& name)
+  : Choice(blocks, name)
   , Range{ std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() }
 {
-  const std::vector<vtkDataSet*> blocks = FindBlocks(data);
-  if (blocks.empty())
-  {
-    throw std::runtime_error("there is no image, no grid and no mesh of volume cells");
-  }
   std::vector<vtkDataArray*> arrays;
   for (vtkDataSet* block : blocks)
   {
-    if (arrays.empty())
-    {
-      this->Choose(block);
-    }
-    if (vtkDataArray* array = this->FindIn(block))
+    if (vtkDataArray* array = this->Choice.FindIn(block))
     {
       arrays.push_back(array);
     }
-  }
-  if (arrays.empty())
-  {
-    const std::string which = name.empty() ? "" : " \"" + name + "\"";
-    throw std::runtime_error("there is no array" + which +
-      " of points or cells; those there are (for --array):" + ListArrays(blocks));
   }
   this->Vectors = arrays.front()->GetNumberOfComponents() > 1;
   for (vtkDataArray* array : arrays)
@@ -132,9 +88,9 @@ Scalars::Scalars(vtkDataObject* data, const std::string& name)
   }
   if (!(this->Range[0] < this->Range[1]))
   {
-    throw std::runtime_error("the array " + this->Name +
+    throw std::runtime_error("the array " + this->GetName() +
       " has no two different values, so there is no surface; --array chooses another:" +
-      ListArrays(blocks));
+      Programs::ListArrays(blocks));
   }
   // Whole numbers that are few have a part each.
   constexpr double mostBins = 256.0;
@@ -146,29 +102,6 @@ Scalars::Scalars(vtkDataObject* data, const std::string& name)
   {
     this->Count(array);
   }
-}
-
-//------------------------------------------------------------------------------
-/// Completes the choice by the first block that has such an array.
-void Scalars::Choose(vtkDataSet* block)
-{
-  vtkDataArray* ofPoints = this->Name.empty() ? FindDefault(block->GetPointData())
-                                              : block->GetPointData()->GetArray(this->Name.c_str());
-  vtkDataArray* ofCells = this->Name.empty() ? FindDefault(block->GetCellData())
-                                             : block->GetCellData()->GetArray(this->Name.c_str());
-  this->OfCells = !ofPoints;
-  vtkDataArray* array = ofPoints ? ofPoints : ofCells;
-  this->Name = array && array->GetName() ? array->GetName() : this->Name;
-}
-
-//------------------------------------------------------------------------------
-/// The array of a block; null if it has none.
-vtkDataArray* Scalars::FindIn(vtkDataSet* block) const
-{
-  vtkDataSetAttributes* attributes = this->OfCells
-    ? static_cast<vtkDataSetAttributes*>(block->GetCellData())
-    : static_cast<vtkDataSetAttributes*>(block->GetPointData());
-  return this->Name.empty() ? attributes->GetScalars() : attributes->GetArray(this->Name.c_str());
 }
 
 //------------------------------------------------------------------------------
@@ -227,13 +160,13 @@ double Scalars::FindThreshold() const
 //------------------------------------------------------------------------------
 double Scalars::GetValue(vtkDataSet* block, vtkIdType cell, const double parametric[3]) const
 {
-  vtkDataArray* array = this->FindIn(block);
+  vtkDataArray* array = this->Choice.FindIn(block);
   const auto get = [&](vtkIdType tuple)
   {
     return this->Vectors ? vtkMath::Norm(array->GetTuple(tuple), array->GetNumberOfComponents())
                          : array->GetComponent(tuple, 0);
   };
-  if (this->OfCells)
+  if (this->Choice.IsOfCells())
   {
     return get(cell);
   }
@@ -248,20 +181,6 @@ double Scalars::GetValue(vtkDataSet* block, vtkIdType cell, const double paramet
     value += weights[i] * get(interpolated->GetPointId(static_cast<int>(i)));
   }
   return value;
-}
-
-//------------------------------------------------------------------------------
-void Scalars::SelectFor(vtkAbstractVolumeMapper* mapper) const
-{
-  if (this->Name.empty())
-  {
-    mapper->SetScalarMode(
-      this->OfCells ? VTK_SCALAR_MODE_USE_CELL_DATA : VTK_SCALAR_MODE_USE_POINT_DATA);
-    return;
-  }
-  mapper->SetScalarMode(
-    this->OfCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-  mapper->SelectScalarArray(this->Name.c_str());
 }
 
 }

@@ -4,6 +4,7 @@
 #ifndef Scalars_h
 #define Scalars_h
 
+#include "Support/ArrayChoice.h"
 #include "vtkIsosurfaceRayTracingCompat.h"
 
 #include <vtkType.h>
@@ -31,7 +32,7 @@ public:
   /// first array. Throws std::runtime_error if there is none, or if it has no two values.
   Scalars(vtkDataObject* data, const std::string& name);
 
-  const std::string& GetName() const { return this->Name; }
+  const std::string& GetName() const { return this->Choice.GetName(); }
   double GetLowest() const { return this->Range[0]; }
   double GetHighest() const { return this->Range[1]; }
   bool AreVectors() const { return this->Vectors; }
@@ -47,15 +48,13 @@ public:
   double GetValue(vtkDataSet* block, vtkIdType cell, const double parametric[3]) const;
 
   /// Has a mapper take this array.
-  void SelectFor(vtkAbstractVolumeMapper* mapper) const;
+  void SelectFor(vtkAbstractVolumeMapper* mapper) const { this->Choice.SelectFor(mapper); }
 
 private:
-  vtkDataArray* FindIn(vtkDataSet* block) const;
-  void Choose(vtkDataSet* block);
+  Scalars(const std::vector<vtkDataSet*>& blocks, const std::string& name);
   void Count(vtkDataArray* array);
 
-  std::string Name;
-  bool OfCells = false;
+  Programs::ArrayChoice Choice;
   bool Vectors = false;
   std::array<double, 2> Range;
   std::vector<double> Histogram;

@@ -54,7 +54,8 @@ Arguments ParseArguments(int argc, char* argv[])
   commandLine.AddFiles(&arguments.Files);
   commandLine.Add("--demo", &arguments.Demo, "Show a volume that is computed, without a file.");
   commandLine.Add("--array", &arguments.Array,
-    "The array of points or cells whose isosurfaces are shown. Default: the active scalars.");
+    "The array of points or cells whose isosurfaces are shown, of vectors those of their "
+    "magnitude. Default: the active scalars, or else the first array.");
   commandLine.Add("--isovalue", &arguments.Isovalues,
     "One or two isovalues, separated by spaces: the surface of the smaller one is translucent. "
     "Default: the value between the two classes of values that differ most.");

@@ -151,7 +151,7 @@ class TestMeshBenchmark(ProgramTest):
             ("--fields f", 'there is no "f"; there are ball, gyroid'),
             ("--isovalue 1", "Usage"),
             ("--input none.vtu --isovalue 1", "there is no file none.vtu"),
-            ("--input grid.vts --array a --isovalue 1", 'no array "a"; it has: height'),
+            ("--input grid.vts --array a --isovalue 1", 'grid.vts: there is no array "a"'),
             ("--input grid.vts --isovalue 9", "has values from 0 to 5, so there is no surface"),
             ("--threads 0", "give numbers from 1 to 1024"),
             ("--json none/x.json", "cannot be written"),

@@ -6,7 +6,7 @@
 
 #include "CloudProcesses.h"
 #include "CloudReference.h"
-#include "IsosurfaceCompare/ReadMesh.h"
+#include "IsosurfaceCompare/ReadData.h"
 #include "MeshSource.h"
 #include "MeshTracer.h"
 #include "OffScreenWindow.h"

@@ -5,7 +5,7 @@
 // xvfb-run gives one.
 
 #include "Environment.h"
-#include "IsosurfaceCompare/ReadMesh.h"
+#include "IsosurfaceCompare/ReadData.h"
 #include "MeshCase.h"
 #include "MeshPictures.h"
 #include "MeshSource.h"

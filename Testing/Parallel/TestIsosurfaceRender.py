@@ -15,6 +15,8 @@ import time
 import unittest
 from pathlib import Path
 
+from vtkmodules.vtkCommonCore import vtkFloatArray
+from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkRTAnalyticSource
@@ -92,6 +94,48 @@ class TestIsosurfaceRender(unittest.TestCase):
                 for processes in (1, 2, 3):
                     with self.subTest(name=name, arguments=arguments, processes=processes):
                         self.assertEqual(self.render(volume, *arguments, processes=processes), alone)
+
+    def test_arrays(self):
+        """Without a name the active scalars; those of cells need more ghosts; vectors are taken by their magnitude."""
+        image = make_image()
+        plain = self.folder / "plain.vti"
+        write(image, plain)
+        expected = self.render(plain, "--isovalue", "157")
+        scalars = image.GetPointData().GetScalars()
+        vectors = vtkFloatArray()
+        vectors.SetName("vectors")
+        vectors.SetNumberOfComponents(2)
+        vectors.SetNumberOfTuples(image.GetNumberOfPoints())
+        vectors.FillComponent(0, 0.0)
+        vectors.CopyComponent(1, scalars, 0)
+        cells = vtkPointDataToCellData()
+        cells.SetInputData(image)
+        cells.Update()
+        of_cells = cells.GetOutput().GetCellData().GetArray("RTData")
+        of_cells.SetName("of cells")
+        image.GetCellData().AddArray(of_cells)
+        image.GetPointData().AddArray(vectors)
+        image.AllocatePointGhostArray()
+        volume = self.folder / "arrays.vti"
+        write(image, volume)
+        for processes in (1, 3):
+            self.assertEqual(self.render(volume, "--isovalue", "157", processes=processes), expected)
+            of_vectors = self.render(volume, "--array", "vectors", "--isovalue", "157", processes=processes)
+            self.assertEqual(of_vectors, expected)
+        alone = self.render(volume, "--array", "of cells", "--isovalue", "157")
+        self.assertGreater(self.count_colored(alone), 1500)
+        self.assertNotEqual(alone, expected)
+        self.assertEqual(self.render(volume, "--array", "of cells", "--isovalue", "157", processes=3), alone)
+        empty = run("--input", str(volume), "--array", "of cells", "--isovalue", "1e4", "--output", str(self.picture))
+        lowest, highest = of_cells.GetRange()
+        self.assertIn(f"are from {lowest:.6g} to {highest:.6g}:", empty.stderr)
+        self.picture.unlink()
+        image.GetPointData().SetActiveScalars(None)
+        image.GetPointData().RemoveArray("vectors")
+        write(image, volume)
+        self.assertEqual(self.render(volume, "--isovalue", "157"), expected)
+        result = run("--input", str(volume), "--array", "x", "--isovalue", "1", "--output", str(self.picture))
+        self.check_failure(result, r'arrays.vti: there is no array "x" .*\(for --array\): RTData of cells$')
 
     def test_scaled_nifti(self):
         """Isovalues are those that the file means: of the values that are stored times scl_slope, plus scl_inter."""

@@ -19,10 +19,10 @@ from pathlib import Path
 
 from vtkmodules.vtkCommonCore import VTK_SHORT, vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkStructuredGrid
-from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkPointDataToCellData
 from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter, vtkPNGReader
-from vtkmodules.vtkIOLegacy import vtkStructuredGridWriter
+from vtkmodules.vtkIOLegacy import vtkStructuredGridWriter, vtkStructuredPointsWriter
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter,
     vtkXMLMultiBlockDataWriter,
@@ -336,13 +336,13 @@ class TestIsosurfaceCompare(unittest.TestCase):
         array.SetNumberOfTuples(vectors.GetNumberOfPoints())
         array.Fill(1.0)
         vectors.GetPointData().SetScalars(array)
-        for image, reason in ((none, "no point scalars to contour"), (vectors, "have several components")):
+        for image, reason in ((none, "there is no array of points or cells"), (vectors, "have several components")):
             result = self.run_program(
                 "--input", self.write(image, "bad.vti"), "--isovalue", 1, "--thorough",
                 "--report", self.folder / "none", "--json", self.folder / "none.json",
             )  # fmt: skip
             self.assertEqual(result.returncode, 1)
-            self.assertRegex(result.stderr, f"error: .*bad.vti: The .*{reason}")
+            self.assertRegex(result.stderr, f"error: .*bad.vti: .*{reason}")
             self.assertFalse((self.folder / "none.json").exists())
             self.assertFalse((self.folder / "none" / "report.html").exists())
 
@@ -433,6 +433,37 @@ class TestIsosurfaceCompare(unittest.TestCase):
             self.assertGreater(rows[0]["Triangles"], 100)
             self.assertEqual(rows[0]["Note"], "")
 
+    def test_arrays_of_images(self):
+        """Also of those in .vtk files, which may hold meshes, too."""
+        image = new_ball()
+        far = vtkFloatArray()
+        far.SetName("twice")
+        for i in range(image.GetNumberOfPoints()):
+            far.InsertNextValue(2 * image.GetPointData().GetScalars().GetValue(i))
+        image.GetPointData().AddArray(far)
+        cells = vtkPointDataToCellData()
+        cells.SetInputData(image)
+        cells.Update()
+        of_cells = cells.GetOutput().GetCellData().GetArray("twice")
+        of_cells.SetName("of cells")
+        image.GetCellData().AddArray(of_cells)
+        triangles = {}
+        for writer, name in ((vtkXMLImageDataWriter(), "arrays.vti"), (vtkStructuredPointsWriter(), "arrays.vtk")):
+            path = self.write_mesh(writer, name, image)
+            for array, isovalue in (((), 60), (("--array", "twice"), 120), (("--array", "of cells"), 80)):
+                result = self.run_program(
+                    "--input", path, *array, "--isovalue", isovalue, "--methods", "flying-edges",
+                    "--json", self.folder / "a.json",
+                )  # fmt: skip
+                self.assertEqual(result.returncode, 0, result.stderr)
+                row = json.loads((self.folder / "a.json").read_text())["rows"][0]
+                triangles[name, array] = row["Triangles"]
+                self.assertGreater(row["Triangles"], 200)
+        (first, twice, averaged), of_legacy = [list(triangles.values())[i : i + 3] for i in (0, 3)]
+        self.assertEqual(first, twice)
+        self.assertLess(averaged, first / 2)
+        self.assertEqual(of_legacy, [first, twice, averaged])
+
     def test_report_on_a_mesh(self):
         path = self.write_mesh(vtkXMLUnstructuredGridWriter(), "report.vtu", list_cells(new_grid()))
         result = self.run_program(
@@ -458,13 +489,18 @@ class TestIsosurfaceCompare(unittest.TestCase):
         image = self.folder / "image.vtk"
         image.write_text("# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_POINTS\n"
                          "DIMENSIONS 2 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\n", encoding="utf-8")  # fmt: skip
+        lines = self.folder / "lines.vtk"
+        lines.write_text("# vtk DataFile Version 3.0\n\nASCII\nDATASET RECTILINEAR_GRID\nDIMENSIONS 2 2 2\n"
+                         + "".join(f"{axis}_COORDINATES 2 float\n0 1\n" for axis in "XYZ"), encoding="utf-8")  # fmt: skip
         for arguments, words in (
             (("--input", self.folder / "absent.vtu", "--isovalue", 1), "there is no file"),
             (("--input", half, "--isovalue", 1), "half.vts cannot be read"),
-            (("--input", image, "--isovalue", 1), "no unstructured and no structured grid"),
-            (("--input", whole, "--array", "x", "--isovalue", 1), 'no array "x"; it has: radius'),
+            (("--input", lines, "--isovalue", 1), "no image, no unstructured and no structured grid"),
+            (("--input", image, "--isovalue", 1), "image.vtk: there is no array of points or cells"),
+            (("--input", whole, "--array", "x", "--isovalue", 1), 'whole.vts: there is no array "x"'),
+            (("--input", whole, "--array", "x", "--isovalue", 1), "(for --array): radius number height"),
             (("--input", whole, "--isovalue", 1, "--max-memory", "1e-3"), "--max-memory"),
-            (("--input", self.ball, "--array", "x", "--isovalue", 1), "--array is for meshes"),
+            (("--input", self.ball, "--array", "x", "--isovalue", 1), 'there is no array "x"'),
             (("--input", whole, "--isovalue", 1, "--methods", "ray-tracing", "flying-edges"),
              "flying-edges is not for meshes, and"),  # fmt: skip
         ):

@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ReadMesh.h"
+#include "ReadData.h"
 
+#include "Support/ArrayChoice.h"
 #include "Support/ReadDataObject.h"
+#include "Support/ReadVolume.h"
 
 #include <vtkAppendFilter.h>
-#include <vtkCellData.h>
 #include <vtkCellDataToPointData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
-#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -55,74 +57,73 @@ vtkSmartPointer<vtkPointSet> FindMesh(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-std::string FindNameOfArray(vtkPointSet* mesh)
+/// The data with an array of points, or others with an average of those of cells.
+vtkSmartPointer<vtkDataSet> MoveToPoints(vtkDataSet* data, const Programs::ArrayChoice& choice)
 {
-  vtkPointData* points = mesh->GetPointData();
-  vtkDataArray* const ghosts = points->GetArray(vtkDataSetAttributes::GhostArrayName());
-  vtkDataArray* scalars = points->GetScalars();
-  for (int i = 0; !scalars && i < points->GetNumberOfArrays(); ++i)
+  if (!choice.IsOfCells())
   {
-    scalars = points->GetArray(i) != ghosts ? points->GetArray(i) : nullptr;
-  }
-  return scalars && scalars->GetName() ? scalars->GetName() : "";
-}
-
-//------------------------------------------------------------------------------
-std::string ListArrays(vtkPointSet* mesh)
-{
-  std::string list;
-  for (vtkDataSetAttributes* attributes :
-    { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
-      static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
-  {
-    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-    {
-      const char* name = attributes->GetArrayName(i);
-      list += attributes->GetArray(i) && name ? std::string(" ") + name : "";
-    }
-  }
-  return list.empty() ? " none" : list;
-}
-
-//------------------------------------------------------------------------------
-/// Returns the mesh, or one with the scalars of its cells at its points.
-vtkSmartPointer<vtkPointSet> SelectArray(
-  vtkPointSet* mesh, const std::string& array, const std::string& fileName)
-{
-  const std::string name = array.empty() ? FindNameOfArray(mesh) : array;
-  if (mesh->GetPointData()->GetArray(name.c_str()))
-  {
-    mesh->GetPointData()->SetActiveScalars(name.c_str());
-    return mesh;
-  }
-  if (!mesh->GetCellData()->GetArray(name.c_str()))
-  {
-    const std::string missing =
-      name.empty() ? " has no array of points" : " has no array \"" + name + "\"";
-    throw std::runtime_error(fileName + missing + "; it has:" + ListArrays(mesh));
+    return data;
   }
   vtkNew<vtkCellDataToPointData> average;
-  average->SetInputData(mesh);
+  average->SetInputData(data);
   average->ProcessAllArraysOff();
-  average->AddCellDataArray(name.c_str());
+  average->AddCellDataArray(choice.GetName().c_str());
   average->Update();
-  auto* averaged = vtkPointSet::SafeDownCast(average->GetOutput());
-  averaged->GetPointData()->SetActiveScalars(name.c_str());
-  return averaged;
+  return average->GetOutput();
 }
 
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> SelectArray(
+  vtkDataSet* data, const std::string& name, const std::string& fileName)
+{
+  try
+  {
+    const Programs::ArrayChoice choice({ data }, name);
+    const vtkSmartPointer<vtkDataSet> selected = MoveToPoints(data, choice);
+    if (!choice.GetName().empty()) // Those without a name are active already.
+    {
+      selected->GetPointData()->SetActiveScalars(choice.GetName().c_str());
+    }
+    return selected;
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(fileName + ": " + error.what());
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> ReadData(
+  const std::string& fileName, const std::string& array, double maxMemory)
+{
+  const vtkSmartPointer<vtkDataObject> data = Programs::IsGrid(fileName)
+    ? Programs::ReadDataObject(fileName, maxMemory)
+    : vtkSmartPointer<vtkDataObject>(Programs::ReadVolume(fileName, maxMemory));
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    return SelectArray(image, array, fileName);
+  }
+  const vtkSmartPointer<vtkPointSet> mesh = FindMesh(data);
+  if (!mesh)
+  {
+    throw std::runtime_error(fileName + " holds no image, no unstructured and no structured grid");
+  }
+  return SelectArray(mesh, array, fileName);
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPointSet> ReadMesh(
   const std::string& fileName, const std::string& array, double maxMemory)
 {
-  const vtkSmartPointer<vtkPointSet> mesh = FindMesh(Programs::ReadDataObject(fileName, maxMemory));
+  const vtkSmartPointer<vtkDataSet> data = ReadData(fileName, array, maxMemory);
+  auto* mesh = vtkPointSet::SafeDownCast(data);
   if (!mesh)
   {
     throw std::runtime_error(fileName + " holds no unstructured and no structured grid");
   }
-  return SelectArray(mesh, array, fileName);
+  return mesh;
 }
 
 //------------------------------------------------------------------------------
