@@ -56,11 +56,9 @@ struct LoneRay
     this->Set(box, origin, direction, begin, end);
   }
 
-  /// Puts it into a place, in which it is the ray of the packet with this number, too. The others
-  /// go through the same box.
+  /// Puts it into a place, in which it is the ray of the packet with this number, too.
   void Put(int place, LoneRays& rays) const
   {
-    rays.Clear(this->Box);
     rays.Frame[place] = this->Frame.GetNumbers();
     rays.Through[place] = this->GetThrough();
     rays.Place(place, place);
@@ -73,6 +71,7 @@ struct LoneRay
   unsigned int FindPieces(const Kernels& kernels, const PackedPieces& set) const
   {
     LoneRays alone;
+    alone.Clear(this->Box);
     this->Put(0, alone);
     MetPieces met;
     kernels.FindPiecesOnRays(

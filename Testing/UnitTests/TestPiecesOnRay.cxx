@@ -174,6 +174,7 @@ struct Group
   /// The spread is a part of the size of the mesh, and of a direction.
   Group(RandomNumbers& random, const Bounds& mesh, double spread)
   {
+    this->Placed.Clear(mesh);
     const double size = Length(mesh.Upper - mesh.Lower);
     const Vector3 place = random.PointInBox(mesh.Lower, mesh.Upper);
     // Some are parallel, along an axis, or in the plane of two.
@@ -361,6 +362,7 @@ TEST_P(PiecesOnRay, FindsSets)
       expected.Add(ray.Meets(box, 0.0L), ray.Meets(box.GetWider(mesh), 0.0L));
     }
     LoneRays alone;
+    alone.Clear(mesh);
     ray.Put(0, alone);
     const PencilThroughBoxes pencil = RayPencil::GetBounds(alone.Through[0]);
     unsigned int found = 0;
@@ -557,6 +559,7 @@ TEST_P(PiecesOnRay, FindsPiecesOnManyRays)
     {
       continue;
     }
+    RayPencil::BoundGroups(group.Placed, 0, group.GetSize(), mesh);
     constexpr int number = 5;
     PackedPieces sets[number] = {};
     for (PackedPieces& set : sets)

@@ -158,21 +158,35 @@ struct BeamNumbers
 struct LoneRays
 {
   static constexpr int Capacity = RayPacket::Capacity;
+  /// Places are in groups of so many. The rays of a group go one way along an axis; its last places
+  /// may be empty.
+  static constexpr int GroupSize = 16;
+  /// Along three axes.
+  static constexpr int Ways = 6;
+  static constexpr int Groups = Capacity / GroupSize + Ways;
+  static constexpr int Places = Groups * GroupSize;
 
   // Of each ray of the packet.
   BeamNumbers Frame[Capacity];
   RayThroughBoxes Through[Capacity];
 
   /// The ray of the packet in each place.
-  int Ray[Capacity];
+  int Ray[Places];
   // For each place: the coordinates across at the depth 0 and by how much they change with the
-  // depth, and the depths that the ray begins and ends at. Behind the last one there is room for a
-  // vector.
+  // depth, and the depths that the ray begins and ends at; ends are -infinity where there is none.
+  alignas(64) float Center[2][Places];
+  alignas(64) float Rate[2][Places];
+  alignas(64) float Begin[Places];
+  alignas(64) float End[Places];
+  // For each group, where the rays are between, in the same way. Behind the last one there is room
+  // for a vector.
   static constexpr int Room = 16;
-  alignas(64) float Center[2][Capacity + Room];
-  alignas(64) float Rate[2][Capacity + Room];
-  alignas(64) float Begin[Capacity + Room];
-  alignas(64) float End[Capacity + Room];
+  alignas(64) float Lower[2][Groups + Room];
+  alignas(64) float LowerRate[2][Groups + Room];
+  alignas(64) float Upper[2][Groups + Room];
+  alignas(64) float UpperRate[2][Groups + Room];
+  alignas(64) float GroupBegin[Groups + Room];
+  alignas(64) float GroupEnd[Groups + Room];
   /// More than rounding may move a coordinate of a ray in the box by.
   float Error;
 
@@ -187,6 +201,10 @@ struct LoneRays
         Max(error, 0x1p-19 * extent + 0x1p-20 * Max(Abs(box.Lower[axis]), Abs(box.Upper[axis])));
     }
     this->Error = static_cast<float>(error);
+    for (float& end : this->End)
+    {
+      end = -FloatInfinity;
+    }
   }
 
   /// Puts a ray into a place, but for its end.
@@ -200,6 +218,17 @@ struct LoneRays
       this->Rate[k][place] = static_cast<float>(frame.Sign * frame.Slope[k]);
     }
     this->Begin[place] = this->Through[ray].Begin;
+  }
+
+  /// Sets the end of a group from those of its rays.
+  void SetGroupEnd(int group)
+  {
+    float end = -FloatInfinity;
+    for (int place = group * GroupSize; place < (group + 1) * GroupSize; ++place)
+    {
+      end = this->End[place] < end ? end : this->End[place];
+    }
+    this->GroupEnd[group] = end;
   }
 };
 

@@ -76,7 +76,7 @@ SIMD_INLINE unsigned int FindSetsInPencil(
 
 /// The box of a set of pieces as rays of a pencil come to it, which have one axis and sign. A ray
 /// that comes into it is, at its middle depth, no farther from its middle than half of its size and
-/// half of what the ray moves across within its depths.
+/// half of what the ray moves across within its depths. So is what is between rays.
 struct BoxOnRays
 {
   float Depth;
@@ -99,12 +99,11 @@ struct BoxOnRays
     }
   }
 
-  /// Which of some rays, as many as a vector has numbers at most, may come to it; a bit for each.
-  SIMD_INLINE unsigned int Find(const LoneRays& rays, int firstPlace, int count) const
+  /// Which of the rays in places from one on, as many as a vector has numbers, may come to it; a
+  /// bit for each.
+  SIMD_INLINE unsigned int FindRays(const LoneRays& rays, int firstPlace) const
   {
-    FloatMask isBeside = LoadFloats(&rays.End[firstPlace]) < this->Depth - this->HalfDepth;
-    const Floats begin = LoadFloats(&rays.Begin[firstPlace]);
-    isBeside = isBeside | (this->Depth + this->HalfDepth < begin);
+    FloatMask isBeside = this->IsBeside(&rays.Begin[firstPlace], &rays.End[firstPlace]);
     for (int k = 0; k < 2; ++k)
     {
       const Floats rate = LoadFloats(&rays.Rate[k][firstPlace]);
@@ -113,33 +112,66 @@ struct BoxOnRays
       const Floats most = MultiplyAdd(Abs(rate), this->HalfDepth, this->Half[k]);
       isBeside = isBeside | (most < distance);
     }
-    return ~ToBits(isBeside) & ((1U << count) - 1U);
+    return ~ToBits(isBeside) & ((1U << FloatWidth) - 1U);
+  }
+
+  /// The same of groups.
+  SIMD_INLINE unsigned int FindGroups(const LoneRays& rays, int firstGroup) const
+  {
+    FloatMask isBeside = this->IsBeside(&rays.GroupBegin[firstGroup], &rays.GroupEnd[firstGroup]);
+    for (int k = 0; k < 2; ++k)
+    {
+      const Floats lowerRate = LoadFloats(&rays.LowerRate[k][firstGroup]);
+      const Floats upperRate = LoadFloats(&rays.UpperRate[k][firstGroup]);
+      const Floats lower = LoadFloats(&rays.Lower[k][firstGroup]) - this->Middle[k];
+      const Floats upper = LoadFloats(&rays.Upper[k][firstGroup]) - this->Middle[k];
+      const Floats mostLower = MultiplyAdd(Abs(lowerRate), this->HalfDepth, this->Half[k]);
+      const Floats mostUpper = MultiplyAdd(Abs(upperRate), this->HalfDepth, this->Half[k]);
+      isBeside = isBeside | (mostLower < MultiplyAdd(lowerRate, this->Depth, lower)) |
+        (MultiplyAdd(upperRate, this->Depth, upper) + mostUpper < 0.0F);
+    }
+    return ~ToBits(isBeside) & ((1U << FloatWidth) - 1U);
+  }
+
+  /// Which of many begin behind it, or end before it.
+  SIMD_INLINE FloatMask IsBeside(const float* begin, const float* end) const
+  {
+    return (LoadFloats(end) < this->Depth - this->HalfDepth) |
+      (this->Depth + this->HalfDepth < LoadFloats(begin));
   }
 };
 
-/// Those of the rays of a pencil that may meet a set of pieces, counted from the first of them.
-SIMD_INLINE RaySet FindRaysAtSet(
-  const PackedPieces& set, const LoneRays& rays, const RaysInPencil& some)
+/// Those of the groups of a pencil that may meet a set of pieces; a bit for each.
+SIMD_INLINE unsigned int FindGroupsAtSet(
+  const BoxOnRays& box, const LoneRays& rays, const RaysInPencil& some)
 {
-  RaySet found = {};
-  if (some.Count == 1)
+  const int first = some.FirstPlace / LoneRays::GroupSize;
+  const int last = (some.FirstPlace + some.Count - 1) / LoneRays::GroupSize;
+  if (first == last)
   {
-    found.Words[0] = 1; // The pencil is the ray.
-    return found;
+    return 1U << first; // It is the pencil.
   }
-  const BoxOnRays box(set, rays.Frame[rays.Ray[some.FirstPlace]], rays.Error);
-  for (int word = 0; 64 * word < some.Count; ++word)
+  unsigned int found = 0;
+  for (int group = first; group <= last; group += FloatWidth)
   {
-    std::uint64_t bits = 0;
-    const int last = some.Count < 64 * (word + 1) ? some.Count : 64 * (word + 1);
-    for (int i = 64 * word; i < last; i += FloatWidth)
-    {
-      const int number = last - i < FloatWidth ? last - i : FloatWidth;
-      bits |= static_cast<std::uint64_t>(box.Find(rays, some.FirstPlace + i, number)) << (i % 64);
-    }
-    found.Words[word] = bits;
+    found |= box.FindGroups(rays, group) << group;
   }
-  return found;
+  return found & ((2U << last) - 1U);
+}
+
+/// Those of the rays of a pencil in a group that may meet a set of pieces; a bit for each place.
+SIMD_INLINE unsigned int FindRaysAtSet(
+  const BoxOnRays& box, const LoneRays& rays, const RaysInPencil& some, int firstPlace)
+{
+  constexpr int size = LoneRays::GroupSize;
+  unsigned int found = 0;
+  for (int i = 0; i < size; i += FloatWidth)
+  {
+    found |= box.FindRays(rays, firstPlace + i) << i;
+  }
+  const int before = some.FirstPlace < firstPlace ? 0 : some.FirstPlace - firstPlace;
+  const int end = SmallerOf(some.FirstPlace + some.Count - firstPlace, size);
+  return found & ((1U << end) - (1U << before));
 }
 
 /// A ray as it comes to points that are packed in steps of a box, which are half a step off at
@@ -275,17 +307,9 @@ SIMD_INLINE unsigned int FindPiecesOnRay(
                                               : found;
 }
 
-/// Those that the rays of a pencil may meet in a set that the pencil comes to.
-SIMD_INLINE void FindPiecesInSet(
-  const PackedPieces& packed, const LoneRays& rays, const RaysInPencil& some, MetPieces& met)
+/// The boxes of the pieces of a set.
+SIMD_INLINE void UnpackBoxes(const PackedPieces& packed, BoxesInSteps& boxes)
 {
-  const RaySet atSet = FindRaysAtSet(packed, rays, some);
-  // (Not by functions of RaySet: they may be compiled as such, for this instruction set.)
-  if ((atSet.Words[0] | atSet.Words[1]) == 0)
-  {
-    return;
-  }
-  BoxesInSteps boxes;
   if (packed.AreInTetrahedra)
   {
     boxes.Unpack<PackedPieces::Corners>(packed);
@@ -294,15 +318,43 @@ SIMD_INLINE void FindPiecesInSet(
   {
     boxes.Unpack<2>(packed);
   }
-  for (int word = 0; word < 2; ++word)
+}
+
+/// Adds what a ray may meet.
+SIMD_INLINE void AddPiecesOnRay(const PackedPieces& packed, const BoxesInSteps& boxes,
+  const LoneRays& rays, int place, MetPieces& met)
+{
+  const unsigned int found = FindPiecesOnRay(packed, boxes, rays, place);
+  met.Place[met.Count] = place;
+  met.Pieces[met.Count] = found;
+  met.Count += found != 0 ? 1 : 0;
+}
+
+/// Those that the rays of a pencil may meet in a set that the pencil comes to.
+SIMD_INLINE void FindPiecesInSet(
+  const PackedPieces& packed, const LoneRays& rays, const RaysInPencil& some, MetPieces& met)
+{
+  BoxesInSteps boxes;
+  if (some.Count == 1) // The pencil is the ray.
   {
-    for (std::uint64_t left = atSet.Words[word]; left != 0; left &= left - 1)
+    UnpackBoxes(packed, boxes);
+    AddPiecesOnRay(packed, boxes, rays, some.FirstPlace, met);
+    return;
+  }
+  const BoxOnRays box(packed, rays.Frame[rays.Ray[some.FirstPlace]], rays.Error);
+  bool areUnpacked = false;
+  for (unsigned int groups = FindGroupsAtSet(box, rays, some); groups != 0; groups &= groups - 1)
+  {
+    const int firstPlace = LowestBit(groups) * LoneRays::GroupSize;
+    const unsigned int atSet = FindRaysAtSet(box, rays, some, firstPlace);
+    if (atSet != 0 && !areUnpacked)
     {
-      const int place = some.FirstPlace + 64 * word + LowestBit(left);
-      const unsigned int found = FindPiecesOnRay(packed, boxes, rays, place);
-      met.Place[met.Count] = place;
-      met.Pieces[met.Count] = found;
-      met.Count += found != 0 ? 1 : 0;
+      UnpackBoxes(packed, boxes);
+      areUnpacked = true;
+    }
+    for (unsigned int left = atSet; left != 0; left &= left - 1)
+    {
+      AddPiecesOnRay(packed, boxes, rays, firstPlace + LowestBit(left), met);
     }
   }
 }

@@ -17,6 +17,12 @@ namespace
 /// In cells: a cube of a leaf's 256.
 constexpr double LengthOfLeaf = 6.0;
 
+/// Of so many rays.
+int CountGroups(int rays)
+{
+  return (rays + LoneRays::GroupSize - 1) / LoneRays::GroupSize;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -56,7 +62,7 @@ RaySet PencilTracer::PlaceRays(const MeshSelection& selection, const RaySet& ray
     return traced;
   }
   this->Rays.Clear(selection.Tree->GetBounds());
-  constexpr int ways = 6;
+  constexpr int ways = LoneRays::Ways;
   int raysOfWay[ways][RayPacket::Capacity];
   int counts[ways] = {};
   ForEachRay(rays,
@@ -75,19 +81,24 @@ RaySet PencilTracer::PlaceRays(const MeshSelection& selection, const RaySet& ray
         raysOfWay[way][counts[way]++] = ray;
       }
     });
-  int place = 0;
+  int first = 0;
   for (int way = 0; way < ways; ++way)
   {
-    const int first = place;
-    for (int i = 0; i < counts[way]; ++i, ++place)
+    const int count = counts[way];
+    for (int i = 0; i < count; ++i)
     {
-      this->Rays.Place(raysOfWay[way][i], place);
-      this->Rays.End[place] = this->FindEnd(place);
+      this->Rays.Place(raysOfWay[way][i], first + i);
+      this->Rays.End[first + i] = this->FindEnd(first + i);
     }
-    if (counts[way] > 0)
+    if (count > LoneRays::GroupSize) // One group is bounded by its pencil.
     {
-      this->MakePencils(selection, first, counts[way]);
+      RayPencil::BoundGroups(this->Rays, first, count, selection.Tree->GetBounds());
     }
+    if (count > 0)
+    {
+      this->MakePencils(selection, first, count);
+    }
+    first += CountGroups(count) * LoneRays::GroupSize;
   }
   return traced;
 }
@@ -112,8 +123,10 @@ void PencilTracer::MakePencils(const MeshSelection& selection, int first, int co
     this->AddPencil(selection, first, count, pencil.GetBounds());
     return;
   }
-  this->MakePencils(selection, first, count / 2);
-  this->MakePencils(selection, first + count / 2, count - count / 2);
+  const bool areGroups = count > LoneRays::GroupSize;
+  const int half = areGroups ? CountGroups(count) / 2 * LoneRays::GroupSize : count / 2;
+  this->MakePencils(selection, first, half);
+  this->MakePencils(selection, first + half, count - half);
 }
 
 //------------------------------------------------------------------------------
@@ -142,12 +155,22 @@ float PencilTracer::FindEnd(int place) const
 }
 
 //------------------------------------------------------------------------------
+/// The depth that the last ray of a pencil ends at.
+float PencilTracer::FindEnd(const Pencil& pencil) const
+{
+  constexpr int size = LoneRays::GroupSize;
+  const bool hasGroups = pencil.Count > size;
+  const float* ends =
+    hasGroups ? this->Rays.GroupEnd + pencil.First / size : this->Rays.End + pencil.First;
+  return *std::max_element(ends, ends + (hasGroups ? CountGroups(pencil.Count) : pencil.Count));
+}
+
+//------------------------------------------------------------------------------
 /// Takes a pencil to the next leaf in which a ray may hit something. Returns false if there is
 /// none.
 bool PencilTracer::Advance(const MeshSelection& selection, Pencil& pencil, HitsOfRays& hits)
 {
-  const float* ends = this->Rays.End + pencil.First;
-  const float end = *std::max_element(ends, ends + pencil.Count);
+  const float end = this->FindEnd(pencil);
   const std::size_t before = this->Pairs.size();
   std::size_t leaf;
   while (pencil.Nodes.FindLeaf(selection, end, leaf))
@@ -219,6 +242,7 @@ void PencilTracer::Solve(const MeshSelection& selection, HitsOfRays& hits)
   for (const int place : this->Places)
   {
     this->Rays.End[place] = this->FindEnd(place);
+    this->Rays.SetGroupEnd(place / LoneRays::GroupSize);
   }
   this->Pairs.clear();
   this->Places.clear();

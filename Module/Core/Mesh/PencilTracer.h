@@ -52,6 +52,7 @@ private:
   void AddPencil(
     const MeshSelection& selection, int first, int count, const PencilThroughBoxes& bounds);
   float FindEnd(int place) const;
+  float FindEnd(const Pencil& pencil) const;
   /// Whether a secondary ray starts on a surface in a cell.
   bool StartsAt(int ray, std::uint32_t cell, int surface) const
   {

@@ -6,6 +6,7 @@
 #include "Mesh/BeamFrame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace vtkIsosurfaceRayTracing
@@ -83,6 +84,34 @@ PencilThroughBoxes RayPencil::GetBounds() const
   bounds.IsUp = (this->Frame.Along == last ? this->Frame.Sign
                                            : this->Ends[k][0].Rate + this->Ends[k][1].Rate) > 0.0;
   return bounds;
+}
+
+//------------------------------------------------------------------------------
+void RayPencil::BoundGroups(LoneRays& rays, int firstPlace, int count, const Bounds& box)
+{
+  constexpr int size = LoneRays::GroupSize;
+  const int end = firstPlace + count;
+  for (int place = firstPlace; place < end; place += size)
+  {
+    const RayPencil pencil(rays, place, std::min(size, end - place), box);
+    pencil.BoundGroup(rays, place / size);
+    rays.SetGroupEnd(place / size);
+  }
+}
+
+//------------------------------------------------------------------------------
+void RayPencil::BoundGroup(LoneRays& rays, int group) const
+{
+  for (int k = 0; k < 2; ++k)
+  {
+    const Edge& lower = this->Ends[k][0];
+    const Edge& upper = this->Ends[k][1];
+    rays.Lower[k][group] = static_cast<float>(lower.AtPlane);
+    rays.LowerRate[k][group] = static_cast<float>(lower.Rate);
+    rays.Upper[k][group] = static_cast<float>(upper.AtPlane);
+    rays.UpperRate[k][group] = static_cast<float>(upper.Rate);
+  }
+  rays.GroupBegin[group] = static_cast<float>(this->Begin - 0x1p-20 * std::abs(this->Begin));
 }
 
 //------------------------------------------------------------------------------

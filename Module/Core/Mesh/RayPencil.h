@@ -28,6 +28,10 @@ public:
   /// How the pencil comes to boxes.
   PencilThroughBoxes GetBounds() const;
 
+  /// Bounds the groups of the rays in some consecutive places, of which the first begins a group.
+  /// Their ends must be set.
+  static void BoundGroups(LoneRays& rays, int firstPlace, int count, const Bounds& box);
+
   /// The same for one ray.
   static PencilThroughBoxes GetBounds(const RayThroughBoxes& ray);
 
@@ -40,6 +44,8 @@ private:
 
     double GetPlace(double depth) const { return this->AtPlane + this->Rate * depth; }
   };
+
+  void BoundGroup(LoneRays& rays, int group) const;
 
   BeamNumbers Frame;
   double Begin;
