@@ -3,6 +3,7 @@
 
 #include "AppendedSamples.h"
 
+#include <vtkDataSetAttributes.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <vector>
 
 namespace ImageFiles
 {
@@ -44,26 +46,37 @@ vtkXMLDataElement* FindOnly(vtkXMLDataElement* parent, const char* name)
 }
 
 //------------------------------------------------------------------------------
-/// The element of the active scalars; null if there is none, or are several of their name.
-vtkXMLDataElement* FindScalars(vtkXMLDataElement* root)
+/// The elements of the arrays of this name.
+std::vector<vtkXMLDataElement*> FindArrays(vtkXMLDataElement* arrays, const std::string& name)
 {
-  vtkXMLDataElement* piece = FindOnly(FindOnly(root, "ImageData"), "Piece");
-  vtkXMLDataElement* arrays = FindOnly(piece, "PointData");
-  const std::string name = GetText(arrays, "Scalars");
-  vtkXMLDataElement* scalars = nullptr;
+  std::vector<vtkXMLDataElement*> found;
   for (int i = 0; arrays && i < arrays->GetNumberOfNestedElements(); ++i)
   {
     vtkXMLDataElement* element = arrays->GetNestedElement(i);
     if (GetText(element, "Name") == name)
     {
-      if (scalars)
-      {
-        return nullptr;
-      }
-      scalars = element;
+      found.push_back(element);
     }
   }
-  return scalars;
+  return found;
+}
+
+//------------------------------------------------------------------------------
+/// The element of the active scalars; null if there is none, or are several of their name, or if
+/// scalars alone are not all: points or cells are hidden.
+vtkXMLDataElement* FindScalars(vtkXMLDataElement* root)
+{
+  vtkXMLDataElement* piece = FindOnly(FindOnly(root, "ImageData"), "Piece");
+  vtkXMLDataElement* points = FindOnly(piece, "PointData");
+  for (vtkXMLDataElement* arrays : { points, FindOnly(piece, "CellData") })
+  {
+    if (!FindArrays(arrays, vtkDataSetAttributes::GhostArrayName()).empty())
+    {
+      return nullptr;
+    }
+  }
+  const std::vector<vtkXMLDataElement*> scalars = FindArrays(points, GetText(points, "Scalars"));
+  return scalars.size() == 1 ? scalars.front() : nullptr;
 }
 
 //------------------------------------------------------------------------------

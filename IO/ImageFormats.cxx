@@ -192,7 +192,8 @@ MappableImage FindImageOfVti(const std::string& fileName)
     FindAppendedSamples(reader->GetXMLParser(), fileName);
   if (!samples)
   {
-    ThrowOfOtherForm(image, "compressed, text, encoded, or in several pieces or time steps");
+    ThrowOfOtherForm(
+      image, "compressed, text, encoded, hidden in part, or in several pieces or time steps");
   }
   image.Samples = *samples;
   image.ArrayName = samples->ArrayName;

@@ -19,7 +19,8 @@
  * - NIfTI (.nii); of several time steps the first; the values as they are stored, to which
  * scl_slope and scl_inter are not applied
  * - the XML format of VTK (.vti) with raw appended data (vtkXMLWriter::EncodeAppendedDataOff,
- *   SetCompressorTypeToNone), in one piece; only the active scalars of the points
+ *   SetCompressorTypeToNone), in one piece, of which nothing is hidden (vtkGhostType); only the
+ *   active scalars of the points
  * - files of any other name as raw samples, of which the extent, type, header size, byte order and
  * so on are set as for vtkImageReader2
  *

@@ -14,6 +14,7 @@ import unittest
 from pathlib import Path
 
 from PictureTesting import make_waves
+from VtiFiles import write_vti
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkMappedImageReader
 from vtkmodules.vtkCommonCore import (
     VTK_DOUBLE, VTK_FLOAT, VTK_INT, VTK_SHORT, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, vtkFloatArray)
@@ -82,18 +83,6 @@ def write(writer, image, path):
     writer.SetInputData(image)
     writer.SetFileName(str(path))
     writer.Write()
-
-
-def write_vti(path, image, has_long_sizes=True):
-    """With raw appended data; for those to begin at a multiple of 8, the element before them has spaces."""
-    writer = vtkXMLImageDataWriter()
-    writer.EncodeAppendedDataOff()
-    writer.SetCompressorTypeToNone()
-    writer.SetHeaderTypeToUInt64() if has_long_sizes else writer.SetHeaderTypeToUInt32()
-    write(writer, image, path)
-    header, samples = path.read_bytes().split(b"<AppendedData", 1)
-    begin = len(header) + len(b"<AppendedData") + samples.index(b"_") + 1 + (8 if has_long_sizes else 4)
-    path.write_bytes(header + -begin % 8 * b" " + b"<AppendedData" + samples)
 
 
 def nifti_header(order="<", dimensions=(3, 7, 6, 5, 1, 1, 1, 1), code=4, qfac=1.0, offset=352.0):
@@ -471,6 +460,12 @@ class TestMappedImageReader(unittest.TestCase):
         writer.SetDataModeToAscii()
         write(writer, make_image(), text)
         self.refuse(text, "text", "vtkXMLImageDataReader")
+        for of_cells in (False, True):
+            image = make_image()
+            image.AllocateCellGhostArray() if of_cells else image.AllocatePointGhostArray()
+            hidden = self.folder / "hidden.vti"
+            write_vti(hidden, image)
+            self.refuse(hidden, "hidden in part", "vtkXMLImageDataReader")
         for name, text, tail, words in (
             ("packed.mhd", METAIMAGE.replace("CompressedData = False", "CompressedData = True"), b"", ("compressed",)),
             ("text.mhd", METAIMAGE.replace("BinaryData = True", "BinaryData = False"), b"", ("text",)),
