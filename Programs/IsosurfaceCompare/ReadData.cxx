@@ -99,7 +99,7 @@ vtkSmartPointer<vtkDataSet> ReadData(
   const std::string& fileName, const std::string& array, double maxMemory)
 {
   const vtkSmartPointer<vtkDataObject> data = Programs::IsGrid(fileName)
-    ? Programs::ReadDataObject(fileName, maxMemory)
+    ? Programs::ReadDataObject(fileName, array, maxMemory)
     : vtkSmartPointer<vtkDataObject>(Programs::ReadVolume(fileName, maxMemory));
   if (auto* image = vtkImageData::SafeDownCast(data))
   {

@@ -137,12 +137,8 @@ struct Piece
 {
   vtkSmartPointer<vtkImageData> Image;
   Programs::ArrayChoice Array;
+  bool HasVectors;
   Render::Extent Whole;
-
-  bool HasVectors() const
-  {
-    return this->Image && this->Array.FindIn(this->Image)->GetNumberOfComponents() > 1;
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -173,7 +169,7 @@ Piece ReadSlab(const Arguments& arguments, vtkMultiProcessController* controller
     return Render::FindExtent(whole, slab, ghosts);
   };
   const vtkSmartPointer<vtkImageData> image =
-    Programs::ReadPiece(arguments.Input, arguments.MaxMemory, choose);
+    Programs::ReadPiece(arguments.Input, arguments.Array, arguments.MaxMemory, choose);
   const Programs::ArrayChoice array = ChooseArray(arguments, image);
   if (whole[4] == whole[5])
   {
@@ -184,7 +180,9 @@ Piece ReadSlab(const Arguments& arguments, vtkMultiProcessController* controller
   {
     Render::MarkGhosts(slab, image);
   }
-  return { slab.IsEmpty() ? nullptr : image, array, whole };
+  // All processes draw alike, those without data, too.
+  const bool hasVectors = array.FindIn(image)->GetNumberOfComponents() > 1;
+  return { slab.IsEmpty() ? nullptr : image, array, hasVectors, whole };
 }
 
 //------------------------------------------------------------------------------
@@ -346,7 +344,7 @@ void WarnOfNothing(
     -std::numeric_limits<double>::infinity() };
   if (piece.Image)
   {
-    piece.Array.FindIn(piece.Image)->GetRange(own, piece.HasVectors() ? -1 : 0);
+    piece.Array.FindIn(piece.Image)->GetRange(own, piece.HasVectors ? -1 : 0);
   }
   double lowest = 0.0;
   double highest = 0.0;
@@ -401,7 +399,7 @@ bool Run(const Arguments& arguments, vtkMultiProcessController* controller)
   vtkNew<vtkIsosurfaceRayTraceMapper> mapper;
   mapper->SetInputData(piece->Image);
   piece->Array.SelectFor(mapper);
-  if (piece->HasVectors())
+  if (piece->HasVectors)
   {
     mapper->SetVectorModeToMagnitude();
   }

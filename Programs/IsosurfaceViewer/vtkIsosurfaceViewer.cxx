@@ -135,7 +135,8 @@ Input Read(const Arguments& arguments)
   std::string names;
   for (const std::string& file : arguments.Files)
   {
-    inputs.push_back({ file, Programs::ReadDataObject(file, arguments.MaxMemory) });
+    inputs.push_back(
+      { file, Programs::ReadDataObject(file, arguments.Array, arguments.MaxMemory) });
     names += (names.empty() ? "" : ", ") + vtksys::SystemTools::GetFilenameName(file);
   }
   if (inputs.size() == 1)

@@ -191,11 +191,12 @@ bool IsGrid(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& fileName, double maxMemory)
+vtkSmartPointer<vtkDataObject> ReadDataObject(
+  const std::string& fileName, const std::string& array, double maxMemory)
 {
   if (SystemTools::FileIsDirectory(fileName) || !IsGrid(fileName))
   {
-    return ReadOrMapVolume(fileName, maxMemory, Axes::OfPatient);
+    return ReadOrMapVolume(fileName, array, maxMemory, Axes::OfPatient);
   }
   CheckIsFile(fileName);
   constexpr double bytesPerMebibyte = 1024.0 * 1024.0;

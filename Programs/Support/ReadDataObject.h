@@ -22,10 +22,11 @@ namespace Programs
 bool IsGrid(const std::string& fileName);
 
 /// What is in a file: a grid, a mesh or composite data, or else an image, as by ReadVolume; of a
-/// folder, the image of its DICOM slices. Images of DICOM and NIfTI are placed in the patient.
-/// Throws std::runtime_error if there is nothing of that kind, or if it takes more than so many
-/// MiB.
-vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& fileName, double maxMemory);
+/// folder, the image of its DICOM slices. Images of DICOM and NIfTI are placed in the patient. The
+/// array of this name is wanted (see ReadOrMapVolume). Throws std::runtime_error if there is
+/// nothing of that kind, or if it takes more than so many MiB.
+vtkSmartPointer<vtkDataObject> ReadDataObject(
+  const std::string& fileName, const std::string& array, double maxMemory);
 
 }
 

@@ -30,6 +30,7 @@
 #include <vtkNew.h>
 #include <vtkNrrdReader.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtksys/SystemInformation.hxx>
@@ -419,6 +420,22 @@ bool IsScaled(const std::string& fileName)
   return HasScale(reader);
 }
 
+//------------------------------------------------------------------------------
+/// The image where it is in the file; null if it cannot be used there, or has no such array there.
+vtkSmartPointer<vtkImageData> MapPiece(
+  const std::string& fileName, const std::string& array, const ChooseExtent& choose, Axes axes)
+{
+  vtkNew<vtkMappedImageReader> mapped;
+  if (!mapped->CanReadFile(fileName.c_str()) || IsScaled(fileName))
+  {
+    return nullptr;
+  }
+  const double unlimited = std::numeric_limits<double>::infinity();
+  const vtkSmartPointer<vtkImageData> image =
+    ReadFile(mapped.Get(), fileName, { unlimited, unlimited, choose, axes });
+  return array.empty() || image->GetPointData()->HasArray(array.c_str()) ? image : nullptr;
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -443,37 +460,23 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& fileName, double max
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadOrMapVolume(
-  const std::string& fileName, double maxMemory, Axes axes)
+  const std::string& fileName, const std::string& array, double maxMemory, Axes axes)
 {
-  vtkNew<vtkMappedImageReader> mapped;
   // NIfTI has axes and values of its own.
-  if (mapped->CanReadFile(fileName.c_str()) && !ImageFiles::IsNifti(fileName))
-  {
-    const double unlimited = std::numeric_limits<double>::infinity();
-    const auto image =
-      ReadFile(mapped.Get(), fileName, { unlimited, unlimited, ChooseWhole, axes });
-    constexpr double bytesPerMebibyte = 1 << 20;
-    const double size = static_cast<double>(image->GetNumberOfPoints()) *
-      image->GetNumberOfScalarComponents() * image->GetScalarSize() / bytesPerMebibyte;
-    if (size > maxMemory / 2.0)
-    {
-      return image;
-    }
-  }
-  return ReadVolume(fileName, maxMemory, axes);
+  const vtkSmartPointer<vtkImageData> image =
+    ImageFiles::IsNifti(fileName) ? nullptr : MapPiece(fileName, array, ChooseWhole, axes);
+  const double bytes = image ? static_cast<double>(image->GetNumberOfPoints()) *
+      image->GetNumberOfScalarComponents() * image->GetScalarSize()
+                             : 0.0;
+  return bytes > 0.5 * maxMemory * BytesPerMebibyte ? image : ReadVolume(fileName, maxMemory, axes);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadPiece(
-  const std::string& fileName, double maxMemory, const ChooseExtent& choose)
+vtkSmartPointer<vtkImageData> ReadPiece(const std::string& fileName, const std::string& array,
+  double maxMemory, const ChooseExtent& choose)
 {
-  vtkNew<vtkMappedImageReader> mapped;
-  if (mapped->CanReadFile(fileName.c_str()) && !IsScaled(fileName))
-  {
-    const double unlimited = std::numeric_limits<double>::infinity();
-    return ReadFile(mapped.Get(), fileName, { unlimited, unlimited, choose, Axes::OfSamples });
-  }
-  return ReadIntoMemory(fileName, maxMemory, choose, Axes::OfSamples);
+  const vtkSmartPointer<vtkImageData> image = MapPiece(fileName, array, choose, Axes::OfSamples);
+  return image ? image : ReadIntoMemory(fileName, maxMemory, choose, Axes::OfSamples);
 }
 
 }

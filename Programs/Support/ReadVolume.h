@@ -41,9 +41,10 @@ vtkSmartPointer<vtkImageData> ReadVolume(
   const std::string& fileName, double maxMemory, Axes axes = Axes::OfSamples);
 
 /// The same for what is only looked at: an image of more than half that size is used where it is in
-/// the file, if it can be (see vtkMappedImageReader).
+/// the file, if it can be (see vtkMappedImageReader). The array of this name is wanted, or if it is
+/// empty the active scalars: others need not be there.
 vtkSmartPointer<vtkImageData> ReadOrMapVolume(
-  const std::string& fileName, double maxMemory, Axes axes);
+  const std::string& fileName, const std::string& array, double maxMemory, Axes axes);
 
 /// The extent that is to be read of an image with some whole extent.
 using ChooseExtent = std::function<std::array<int, 6>(const std::array<int, 6>&)>;
@@ -51,8 +52,8 @@ using ChooseExtent = std::function<std::array<int, 6>(const std::array<int, 6>&)
 /// The same of a part of the image alone, which is all that must fit into the memory. (Some readers
 /// read more than they are asked for.) Where the samples can be used in the file (see
 /// vtkMappedImageReader), nothing is read, and the part may have any size.
-vtkSmartPointer<vtkImageData> ReadPiece(
-  const std::string& fileName, double maxMemory, const ChooseExtent& choose);
+vtkSmartPointer<vtkImageData> ReadPiece(const std::string& fileName, const std::string& array,
+  double maxMemory, const ChooseExtent& choose);
 
 }
 

@@ -23,6 +23,7 @@ from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkRTAnalyticSource
 
 from DicomSlices import write_dicom_slices
 from PictureTesting import count_colored
+from VtiFiles import write_vti
 
 PROGRAM, *MPIEXEC = sys.argv[1:4]
 SIZE = ("--width", "120", "--height", "90")
@@ -40,13 +41,23 @@ def make_image(last=20):
     return source.GetOutput()
 
 
+def make_vectors(image):
+    """Their magnitudes are the scalars."""
+    vectors = vtkFloatArray()
+    vectors.SetName("vectors")
+    vectors.SetNumberOfComponents(2)
+    vectors.SetNumberOfTuples(image.GetNumberOfPoints())
+    vectors.FillComponent(0, 0.0)
+    vectors.CopyComponent(1, image.GetPointData().GetScalars(), 0)
+    return vectors
+
+
 def write(image, file_name):
-    writer = vtkXMLImageDataWriter() if file_name.suffix == ".vti" else vtkMetaImageWriter()
     if file_name.suffix == ".vti":
-        writer.SetDataModeToAppended()
-        writer.EncodeAppendedDataOff()
-        writer.SetCompressorTypeToNone()
-    elif file_name.suffix == ".mhd":
+        write_vti(file_name, image)
+        return
+    writer = vtkMetaImageWriter()
+    if file_name.suffix == ".mhd":
         writer.SetRAWFileName(str(file_name.with_suffix(".raw")))
         writer.SetCompression(False)
     writer.SetInputData(image)
@@ -101,13 +112,7 @@ class TestIsosurfaceRender(unittest.TestCase):
         plain = self.folder / "plain.vti"
         write(image, plain)
         expected = self.render(plain, "--isovalue", "157")
-        scalars = image.GetPointData().GetScalars()
-        vectors = vtkFloatArray()
-        vectors.SetName("vectors")
-        vectors.SetNumberOfComponents(2)
-        vectors.SetNumberOfTuples(image.GetNumberOfPoints())
-        vectors.FillComponent(0, 0.0)
-        vectors.CopyComponent(1, scalars, 0)
+        vectors = make_vectors(image)
         cells = vtkPointDataToCellData()
         cells.SetInputData(image)
         cells.Update()
@@ -219,10 +224,14 @@ class TestIsosurfaceRender(unittest.TestCase):
 
     def test_more_processes_than_layers(self):
         volume = self.folder / "thin.vti"
-        write(make_image(last=-18), volume)
-        alone = self.render(volume, "--isovalue", "0", "10")
-        self.assertGreater(self.count_colored(alone), 20)
-        self.assertEqual(self.render(volume, "--isovalue", "0", "10", processes=3), alone)
+        image = make_image(last=-18)
+        vectors = make_vectors(image)
+        image.GetPointData().AddArray(vectors)
+        write(image, volume)
+        for options in (("--isovalue", "0", "10"), ("--isovalue", "10", "--array", "vectors")):
+            alone = self.render(volume, *options)
+            self.assertGreater(self.count_colored(alone), 20)
+            self.assertEqual(self.render(volume, *options, processes=3), alone)
 
     def test_isovalue_outside_the_scalars(self):
         volume = self.folder / "volume.vti"
@@ -304,7 +313,6 @@ class TestIsosurfaceRender(unittest.TestCase):
         self.check_failure(run(*arguments, "--azimuth", "nan"), "nan is not a number")
         self.check_failure(run("--isovalue", "157", "--frame", *arguments), "unknown option --frame")
         self.check_failure(run(*arguments, "--width", "99.5"), "99.5 is not an integer")
-        self.check_failure(run(*arguments, "--max-memory", "0.001"), "--max-memory sets this limit")
 
     def test_help(self):
         for processes in (None, 2):
