@@ -76,20 +76,13 @@ vtkSmartPointer<vtkDataSet> MoveToPoints(vtkDataSet* data, const Programs::Array
 vtkSmartPointer<vtkDataSet> SelectArray(
   vtkDataSet* data, const std::string& name, const std::string& fileName)
 {
-  try
+  const Programs::ArrayChoice choice = Programs::ChooseArray(data, name, fileName);
+  const vtkSmartPointer<vtkDataSet> selected = MoveToPoints(data, choice);
+  if (!choice.GetName().empty()) // Those without a name are active already.
   {
-    const Programs::ArrayChoice choice({ data }, name);
-    const vtkSmartPointer<vtkDataSet> selected = MoveToPoints(data, choice);
-    if (!choice.GetName().empty()) // Those without a name are active already.
-    {
-      selected->GetPointData()->SetActiveScalars(choice.GetName().c_str());
-    }
-    return selected;
+    selected->GetPointData()->SetActiveScalars(choice.GetName().c_str());
   }
-  catch (const std::runtime_error& error)
-  {
-    throw std::runtime_error(fileName + ": " + error.what());
-  }
+  return selected;
 }
 
 }

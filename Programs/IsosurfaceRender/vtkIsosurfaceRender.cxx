@@ -142,19 +142,6 @@ struct Piece
 };
 
 //------------------------------------------------------------------------------
-Programs::ArrayChoice ChooseArray(const Arguments& arguments, vtkImageData* image)
-{
-  try
-  {
-    return { { image }, arguments.Array };
-  }
-  catch (const std::runtime_error& error)
-  {
-    throw std::runtime_error(arguments.Input + ": " + error.what());
-  }
-}
-
-//------------------------------------------------------------------------------
 Piece ReadSlab(const Arguments& arguments, vtkMultiProcessController* controller)
 {
   // For the normals at the border, of scalars of cells, too.
@@ -170,7 +157,8 @@ Piece ReadSlab(const Arguments& arguments, vtkMultiProcessController* controller
   };
   const vtkSmartPointer<vtkImageData> image =
     Programs::ReadPiece(arguments.Input, arguments.Array, arguments.MaxMemory, choose);
-  const Programs::ArrayChoice array = ChooseArray(arguments, image);
+  const Programs::ArrayChoice array =
+    Programs::ChooseArray(image, arguments.Array, arguments.Input);
   if (whole[4] == whole[5])
   {
     throw std::runtime_error(

@@ -99,6 +99,19 @@ void ArrayChoice::SelectFor(vtkAbstractVolumeMapper* mapper) const
 }
 
 //------------------------------------------------------------------------------
+ArrayChoice ChooseArray(vtkDataSet* data, const std::string& name, const std::string& fileName)
+{
+  try
+  {
+    return { { data }, name };
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(fileName + ": " + error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string ListArrays(const std::vector<vtkDataSet*>& blocks)
 {
   std::vector<std::string> all;

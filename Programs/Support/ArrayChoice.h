@@ -43,6 +43,9 @@ private:
   bool OfCells = false;
 };
 
+/// The choice for the data of a file, which errors name.
+ArrayChoice ChooseArray(vtkDataSet* data, const std::string& name, const std::string& fileName);
+
 /// The names of all arrays of points and of cells, but for the marks of ghosts: " a b", or " none".
 std::string ListArrays(const std::vector<vtkDataSet*>& blocks);
 

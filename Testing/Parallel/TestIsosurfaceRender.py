@@ -16,13 +16,12 @@ import unittest
 from pathlib import Path
 
 from vtkmodules.vtkCommonCore import vtkFloatArray
-from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkRTAnalyticSource
 
 from DicomSlices import write_dicom_slices
-from PictureTesting import count_colored
+from PictureTesting import add_array_of_cells, count_colored
 from VtiFiles import write_vti
 
 PROGRAM, *MPIEXEC = sys.argv[1:4]
@@ -113,12 +112,7 @@ class TestIsosurfaceRender(unittest.TestCase):
         write(image, plain)
         expected = self.render(plain, "--isovalue", "157")
         vectors = make_vectors(image)
-        cells = vtkPointDataToCellData()
-        cells.SetInputData(image)
-        cells.Update()
-        of_cells = cells.GetOutput().GetCellData().GetArray("RTData")
-        of_cells.SetName("of cells")
-        image.GetCellData().AddArray(of_cells)
+        of_cells = add_array_of_cells(image, "RTData")
         image.GetPointData().AddArray(vectors)
         image.AllocatePointGhostArray()
         volume = self.folder / "arrays.vti"
@@ -313,6 +307,13 @@ class TestIsosurfaceRender(unittest.TestCase):
         self.check_failure(run(*arguments, "--azimuth", "nan"), "nan is not a number")
         self.check_failure(run("--isovalue", "157", "--frame", *arguments), "unknown option --frame")
         self.check_failure(run(*arguments, "--width", "99.5"), "99.5 is not an integer")
+        compressed = self.folder / "compressed.vti"
+        writer = vtkXMLImageDataWriter()
+        writer.SetInputData(make_image())
+        writer.SetFileName(str(compressed))
+        writer.Write()
+        arguments[1] = str(compressed)
+        self.check_failure(run(*arguments, "--max-memory", "0.001"), "--max-memory sets this limit")
 
     def test_help(self):
         for processes in (None, 2):

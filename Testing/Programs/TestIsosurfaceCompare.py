@@ -19,7 +19,7 @@ from pathlib import Path
 
 from vtkmodules.vtkCommonCore import VTK_SHORT, vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkStructuredGrid
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkPointDataToCellData
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter, vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkStructuredGridWriter, vtkStructuredPointsWriter
@@ -34,6 +34,7 @@ from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter
 from DicomSlices import write_dicom_slices
 from Displays import why_no_pictures, with_display, without_display
 from LimitedMemory import LimitedMemory, write_zeros
+from PictureTesting import add_array_of_cells
 
 PROGRAM = sys.argv.pop(1)
 SOURCE = Path(__file__).parents[2]
@@ -336,7 +337,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
         array.SetNumberOfTuples(vectors.GetNumberOfPoints())
         array.Fill(1.0)
         vectors.GetPointData().SetScalars(array)
-        for image, reason in ((none, "there is no array of points or cells"), (vectors, "have several components")):
+        for image, reason in ((none, "there is no array of points or cells"), (vectors, "The .*have several components")):
             result = self.run_program(
                 "--input", self.write(image, "bad.vti"), "--isovalue", 1, "--thorough",
                 "--report", self.folder / "none", "--json", self.folder / "none.json",
@@ -441,12 +442,7 @@ class TestIsosurfaceCompare(unittest.TestCase):
         for i in range(image.GetNumberOfPoints()):
             far.InsertNextValue(2 * image.GetPointData().GetScalars().GetValue(i))
         image.GetPointData().AddArray(far)
-        cells = vtkPointDataToCellData()
-        cells.SetInputData(image)
-        cells.Update()
-        of_cells = cells.GetOutput().GetCellData().GetArray("twice")
-        of_cells.SetName("of cells")
-        image.GetCellData().AddArray(of_cells)
+        add_array_of_cells(image, "twice")
         triangles = {}
         for writer, name in ((vtkXMLImageDataWriter(), "arrays.vti"), (vtkStructuredPointsWriter(), "arrays.vtk")):
             path = self.write_mesh(writer, name, image)

@@ -9,6 +9,7 @@ import sys
 import unittest
 from pathlib import Path
 
+from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor, vtkWindowToImageFilter
@@ -27,6 +28,17 @@ def make_waves(radius=20):
     source.SetWholeExtent(*3 * (-radius, radius))
     source.Update()
     return source.GetOutput()
+
+
+def add_array_of_cells(data, name):
+    """The averages of the array of points of this name, called "of cells"."""
+    average = vtkPointDataToCellData()
+    average.SetInputData(data)
+    average.Update()
+    array = average.GetOutput().GetCellData().GetArray(name)
+    array.SetName("of cells")
+    data.GetCellData().AddArray(array)
+    return array
 
 
 def write_waves(folder, radius=20):
