@@ -265,13 +265,16 @@ void CellHits::FindBetweenFaces(const double* differences, const TrilinearSoluti
     begin = std::find_if_not(begin, endOfAll, isBefore);
     const auto end = std::find_if(begin, endOfAll, isBehind);
     this->Segment.assign(begin, end);
+    for (CellHit& hit : this->Segment)
+    {
+      hit.T = std::clamp(hit.T, first->T, std::max(first->T, last->T));
+    }
     this->MatchParity(first, step, differences, this->Segment);
     bool isInside = IsInside(first->Interpolate(differences));
     for (CellHit& hit : this->Segment)
     {
       isInside = !isInside;
       hit.Entering = isInside;
-      hit.T = std::clamp(hit.T, first->T, std::max(first->T, last->T));
       this->Hits.push_back(hit);
     }
     begin = end;
