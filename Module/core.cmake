@@ -53,6 +53,7 @@ set(core_sources
   Mesh/NodesInPencil.cxx
   Mesh/PairSolver.cxx
   Mesh/PencilTracer.cxx
+  Mesh/PieceMaker.cxx
   Mesh/PointGradients.cxx
   Mesh/RayHitsInCells.cxx
   Mesh/RayPencil.cxx

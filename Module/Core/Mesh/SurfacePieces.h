@@ -7,8 +7,7 @@
 #include "Kernels/Kernels.h"
 #include "Math/Compiler.h"
 #include "Math/PrefetchLines.h"
-#include "Mesh/CellTree.h"
-#include "Mesh/MeshCells.h"
+#include "Mesh/PieceMaker.h"
 
 #include <atomic>
 #include <cstddef>
@@ -39,6 +38,8 @@ public:
     return made ? made : this->Make(leaf, kernels);
   }
 
+  const PieceMaker& GetMaker() const { return this->Maker; }
+
   /// Begins to fetch what is known of some consecutive leaves...
   void Prefetch(std::size_t leaf, std::size_t count) const
   {
@@ -61,30 +62,11 @@ public:
   }
 
 private:
-  /// Cells of a leaf that the surface passes, and their numbers within it.
-  struct PassedCells
-  {
-    int Count = 0;
-    std::uint32_t Cells[CellTree::Width * CellTree::Width];
-    std::uint8_t Numbers[CellTree::Width * CellTree::Width];
-
-    int GetNumberOfSets() const
-    {
-      return (this->Count + PackedPieces::Capacity - 1) / PackedPieces::Capacity;
-    }
-  };
-
   const PackedPieces* Make(std::size_t leaf, const Kernels& kernels);
-  void FetchCells(std::size_t leaf, std::uint32_t (*cells)[CellTree::Width], int* counts) const;
-  void FindPassedCells(std::size_t leaf, PassedCells& tetrahedra, PassedCells& others) const;
-  void MakeSets(const PassedCells& tetrahedra, const Kernels& kernels, PackedPieces* sets) const;
-  void MakeBoxedSets(const PassedCells& others, const Kernels& kernels, PackedPieces* sets) const;
-  static void BeginSet(const PassedCells& passed, int first, PackedPieces& set);
+  void MakeSets(const CellsOfLeaf& passed, bool areTetrahedra, const Kernels& kernels,
+    PackedPieces*& next) const;
 
-  const MeshCells* Cells;
-  const CellTree* Tree;
-  double Isovalue;
-  double Scale;
+  PieceMaker Maker;
   std::size_t NumberOfLeaves;
   std::unique_ptr<std::atomic<const PackedPieces*>[]> Leaves;
   std::atomic<std::size_t> Memory{ 0 };
