@@ -34,6 +34,22 @@ bool IsSinglePrecision(const Bounds& box)
   return largest < 0x1p60 && size > 0x1p-60;
 }
 
+/// One of so many rays.
+RaySet TakeEvery(int stride, const RaySet& rays)
+{
+  RaySet taken = {};
+  int number = 0;
+  ForEachRay(rays,
+    [&](int ray)
+    {
+      if (number++ % stride == 0)
+      {
+        Add(ray, taken);
+      }
+    });
+  return taken;
+}
+
 /// Where a line meets a plane across an axis, and its slopes.
 struct LinePoint
 {
@@ -70,6 +86,12 @@ DepthsOfCoordinate::DepthsOfCoordinate(double place, double rate, double extent)
 //------------------------------------------------------------------------------
 bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& box)
 {
+  constexpr int few = 4;
+  const int all = CountOf(some);
+  if (all > 4 * few && !BeamFrame().Find(lines, TakeEvery(all / few, some), box))
+  {
+    return false; // It is known after a few.
+  }
   int numbers[RayPacket::Capacity];
   int count = 0;
   Vector3 direction = {};
