@@ -54,10 +54,12 @@ set(core_sources
   Mesh/PairSolver.cxx
   Mesh/PencilTracer.cxx
   Mesh/PieceMaker.cxx
+  Mesh/PieceTree.cxx
   Mesh/PointGradients.cxx
   Mesh/RayHitsInCells.cxx
   Mesh/RayPencil.cxx
   Mesh/ShapeFunctions.cxx
+  Mesh/ScatteredRayTracer.cxx
   Mesh/SurfacePieces.cxx
   Mesh/TrilinearSystem.cxx
   Picture/CastRays.cxx

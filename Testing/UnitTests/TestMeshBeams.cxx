@@ -183,16 +183,19 @@ protected:
     }
   }
 
-  /// The same for any rays. Returns the number of hits.
+  /// The same for any rays, without trees of pieces and with them. Returns the number of hits.
   std::size_t CompareRays(MeshField& field, const TraceRequest& request, const RayPacket& packet)
   {
     field.Select(request, { 1, nullptr });
     const FoundByRays alone(field, packet);
-    field.Select(request, { 1, &this->TheKernels });
-    const FoundByRays together(field, packet);
-    EXPECT_EQ(alone.Hits.First, together.Hits.First);
-    EXPECT_TRUE(AreSame(alone.Hits.Hits, together.Hits.Hits));
-    EXPECT_EQ(alone.Transmittance, together.Transmittance);
+    for (const double raysForTrees : { Infinity, 0.0 })
+    {
+      field.Select(request, { 1, &this->TheKernels, raysForTrees });
+      const FoundByRays together(field, packet);
+      EXPECT_EQ(alone.Hits.First, together.Hits.First);
+      EXPECT_TRUE(AreSame(alone.Hits.Hits, together.Hits.Hits));
+      EXPECT_EQ(alone.Transmittance, together.Transmittance);
+    }
     return alone.Hits.Hits.size();
   }
 
@@ -388,9 +391,9 @@ TEST_P(MeshBeams, HitTheSameAmongAnyRays)
   {
     const TestMesh mesh = MakeCollapsedMesh(random, AllCuttings[1 + i % 4], i % 8 < 4);
     MeshField field(mesh.View(), 1);
-    field.Select(TraceRequest({ { 1.0, i % 16 < 8 ? 0.5 : 1.0 } }), { 1, &this->TheKernels });
-    RayPacket packets[2];
-    RayHits hits[2];
+    const TraceRequest request({ { 1.0, i % 16 < 8 ? 0.5 : 1.0 } });
+    RayPacket packets[3];
+    RayHits hits[3];
     Vector3 ways[RayPacket::Capacity];
     Vector3 targets[RayPacket::Capacity];
     for (int ray = 0; ray < RayPacket::Capacity; ++ray)
@@ -406,9 +409,10 @@ TEST_P(MeshBeams, HitTheSameAmongAnyRays)
       packet.Clear();
       for (int ray = 0; ray < RayPacket::Capacity; ++ray)
       {
-        const int number = &packet == packets ? ray : RayPacket::Capacity - 1 - ray;
+        const int number = &packet == packets + 1 ? RayPacket::Capacity - 1 - ray : ray;
         field.AddRay(targets[number], ways[number], 0.0, Infinity, packet);
       }
+      field.Select(request, { 1, &this->TheKernels, &packet == packets + 2 ? 0.0 : Infinity });
       field.Trace(packet, hits[&packet - packets]);
     }
     for (std::size_t ray = 0; ray < RayPacket::Capacity; ++ray)
@@ -422,6 +426,8 @@ TEST_P(MeshBeams, HitTheSameAmongAnyRays)
       EXPECT_TRUE(AreSame(get(hits[0], ray), get(hits[1], other)))
         << "mesh " << i << ", ray " << ray;
     }
+    EXPECT_EQ(hits[0].First, hits[2].First) << "mesh " << i;
+    EXPECT_TRUE(AreSame(hits[0].Hits, hits[2].Hits)) << "mesh " << i;
     count += hits[0].Hits.size();
   }
   std::cout << "[ tried    ] " << count << " hits\n";

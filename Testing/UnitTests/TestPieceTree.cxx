@@ -38,12 +38,12 @@ struct MeshWithTrees
   PieceMaker Maker;
   PieceTrees Pieces;
 
-  MeshWithTrees(const TestMesh& mesh, const Kernels& kernels, int threads = 1)
+  MeshWithTrees(const TestMesh& mesh, const Kernels& kernels)
     : Mesh(mesh)
     , Cells(this->Mesh.View())
-    , Tree(this->Cells, threads)
+    , Tree(this->Cells, 1)
     , Maker(this->Cells, this->Tree, Isovalue, 1.0)
-    , Pieces(this->Maker, kernels, threads)
+    , Pieces(this->Maker, kernels)
   {
   }
 
@@ -129,7 +129,6 @@ TEST_P(PieceTreeTest, HasEveryPieceOnce)
       }
     }
     std::vector<std::uint32_t> cells = all.GetCells();
-    EXPECT_EQ(MeshWithTrees(mesh, this->TheKernels, 3).GetCells(), cells);
     std::sort(cells.begin(), cells.end());
     EXPECT_EQ(cells, expected);
     EXPECT_LT(all.Pieces.GetMemory(), 40 * cells.size());
@@ -221,22 +220,45 @@ TEST_P(PieceTreeTest, FindsPiecesOfOtherCells)
   EXPECT_LT(all, 5 * met);
 }
 
-/// They are there as long as they are asked for.
-TEST_P(PieceTreeTest, TakesMemoryForScatteredRays)
+/// They are built after as many rays as are worth it, by one of the threads, and kept with the
+/// isovalue.
+TEST_P(PieceTreeTest, AreBuiltForManyRays)
 {
   RandomNumbers random(4);
-  const TestMesh mesh = MakeWaves(random, Cutting::Mixed, 1.0, 0.0);
+  const TestMesh mesh = MakeMesh(random, { 9, 9, 9 }, Cutting::Mixed, 0.3,
+    [&random](const Index3&) { return random.Uniform(-1.0, 1.0); });
+  const MeshWithTrees all(mesh, this->TheKernels);
   MeshField field(mesh.View(), 1);
-  TraceRequest request({ { Isovalue, 1.0 } });
-  const auto getMemory = [&](bool areScattered)
+  constexpr int packets = 10;
+  constexpr int raysOfPacket = 64;
+  const auto cells = static_cast<double>(all.Cells.GetNumberOfCells());
+  // Returns the memory after the same rays in any order.
+  const auto cast = [&](double isovalue, double raysForTrees)
   {
-    request.HasScatteredRays = areScattered;
-    field.Select(request, { 1, &this->TheKernels });
+    field.Select(
+      TraceRequest({ { isovalue, 1.0 } }), { 1, &this->TheKernels, (raysForTrees - 0.5) / cells });
+#pragma omp parallel for num_threads(4)
+    for (int i = 0; i < packets; ++i)
+    {
+      RandomNumbers ofPacket(static_cast<std::uint64_t>(i));
+      RayPacket packet;
+      packet.Clear();
+      for (int ray = 0; ray < raysOfPacket; ++ray)
+      {
+        field.AddRay({ 4.5, 4.5, 4.5 }, ofPacket.Direction(), 0.01 * ray, Infinity, packet);
+      }
+      RayHits hits;
+      field.Trace(packet, hits);
+    }
     return field.GetStatistics().CacheMemory;
   };
-  const std::size_t before = getMemory(false);
-  EXPECT_EQ(getMemory(true), before + MeshWithTrees(mesh, this->TheKernels).Pieces.GetMemory());
-  EXPECT_EQ(getMemory(false), before);
+  constexpr double worth = 2 * packets * raysOfPacket;
+  const std::size_t without = cast(Isovalue, Infinity);
+  EXPECT_EQ(cast(Isovalue, worth), without);
+  const std::size_t with = without + all.Pieces.GetMemory();
+  EXPECT_EQ(cast(Isovalue, worth), with);
+  EXPECT_EQ(cast(Isovalue, worth), with);
+  EXPECT_LT(cast(Isovalue + 0.01, worth), with);
 }
 
 }

@@ -217,8 +217,11 @@ TEST_P(Transmittance, OfSurfacesInMeshes)
     MeshField field(mesh.View(), 2);
     const auto check = [&](const TraceRequest& request)
     {
-      field.Select(request, { 1, &this->TheKernels });
-      this->Check(field, 20, { 10, 9, 8 });
+      for (const double raysForTrees : { Infinity, 0.0 })
+      {
+        field.Select(request, { 1, &this->TheKernels, raysForTrees });
+        this->Check(field, 20, { 10, 9, 8 });
+      }
     };
     TraceRequest request({ { 0.2, 1.0 } });
     check(request);
@@ -244,10 +247,13 @@ TEST_P(Transmittance, OfSurfacesInMeshesOfAnySize)
   std::transform(mesh.Points.begin(), mesh.Points.end(), smallMesh.Points.begin(),
     [](double coordinate) { return scale * coordinate; });
   MeshField small(smallMesh.View(), 1);
-  for (const Kernels* kernels : { &this->TheKernels, static_cast<const Kernels*>(nullptr) })
+  for (const int run : { 0, 1, 2 })
   {
-    field.Select(TraceRequest({ { 0.1, 1.0 } }), { 1, kernels });
-    small.Select(TraceRequest({ { 0.1, 1.0 } }), { 1, kernels });
+    const TraceRequest request({ { 0.1, 1.0 } });
+    const Execution execution = { 1, run > 0 ? &this->TheKernels : nullptr,
+      run > 1 ? 0.0 : Infinity };
+    field.Select(request, execution);
+    small.Select(request, execution);
     int dark = 0;
     for (int i = 0; i < 2000; ++i)
     {
@@ -373,9 +379,10 @@ TEST_P(Transmittance, OfThinLayersInMeshes)
       mesh.Points[z] = heights[static_cast<int>(mesh.Points[z])];
     }
     MeshField field(mesh.View(), 1);
-    for (const Kernels* kernels : { &this->TheKernels, static_cast<const Kernels*>(nullptr) })
+    for (const int run : { 0, 1, 2 })
     {
-      field.Select(TraceRequest({ { 0.5, 1.0 } }), { 1, kernels });
+      const Kernels* kernels = run > 0 ? &this->TheKernels : nullptr;
+      field.Select(TraceRequest({ { 0.5, 1.0 } }), { 1, kernels, run > 1 ? 0.0 : Infinity });
       const double bottom = 1.0 + 0.5e-6;
       const double top = 1.0 + 1.5e-6;
       EXPECT_EQ(FindLightAbove(field, bottom, true), 0.0);

@@ -19,6 +19,9 @@ struct Execution
   /// The kernels that trace and shade packets of rays. With null each ray is traced by itself, by
   /// the scalar code: the reference that the kernels are tested against.
   const Kernels* PacketKernels = &GetBestKernels();
+  /// After so many rays for each cell of a mesh that have little in common, trees over the pieces
+  /// of its surfaces are built for such rays: by then they have taken about as long as that takes.
+  double RaysForTrees = 1.0 / 64.0;
 };
 
 /// The memory limits of a traced field.

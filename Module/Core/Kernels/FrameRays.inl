@@ -31,6 +31,12 @@ struct LongestAxes
         Select(this->AreFirst, v[i], Select(this->AreSecond, v[(i + 1) % 3], v[(i + 2) % 3]));
     }
   }
+
+  SIMD_INLINE void StoreNumbers(int* to) const
+  {
+    StoreTruncated(
+      Select(this->AreFirst, Doubles(0.0), Select(this->AreSecond, Doubles(1.0), 2.0)), to);
+  }
 };
 
 SIMD_INLINE void StoreFrames(const Doubles origin[3], const Doubles direction[3],
@@ -50,8 +56,7 @@ SIMD_INLINE void StoreFrames(const Doubles origin[3], const Doubles direction[3]
   {
     StoreFours(numbers[i], &framed.Frame[first][4 * i], FramedRays::Numbers);
   }
-  StoreTruncated(Select(axes.AreFirst, Doubles(0.0), Select(axes.AreSecond, Doubles(1.0), 2.0)),
-    &framed.Axis[first]);
+  axes.StoreNumbers(&framed.Axis[first]);
 }
 
 /// Rays as a beam sees them.

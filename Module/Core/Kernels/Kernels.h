@@ -8,6 +8,7 @@
 #include "Kernels/CloudTile.h"
 #include "Kernels/Frustum.h"
 #include "Kernels/LatticePlanes.h"
+#include "Kernels/ScatteredRays.h"
 #include "Rays/BoxGroup.h"
 #include "Rays/RayPacket.h"
 #include "Rays/RaysInBox.h"
@@ -395,6 +396,17 @@ struct Kernels
   /// they end, and finds these. Returns the number of the set behind it.
   int (*FindPiecesOnRays)(const PackedPieces* sets, int firstSet, int numberOfSets,
     const LoneRays& rays, const RaysInPencil& some, MetPieces& met);
+
+  /// Finds how the rays of a packet, which go through a box, come to boxes and polygons; not where
+  /// they end.
+  void (*ScatterRays)(
+    const RayPacket& packet, const double* lower, const double* upper, ScatteredRays& rays);
+
+  /// Takes a ray on its way through a tree to the next set with pieces that it may meet, but for
+  /// one in the tetrahedron that it starts in. Returns the number of the set, and a bit for each of
+  /// the pieces; -1 if there is none.
+  int (*FindSetOnRay)(const PieceTreeLevels& tree, const ScatteredRays& rays, int ray,
+    std::uint32_t startCell, WayThroughPieces& way, unsigned int& pieces);
 
   /// Bounds the pieces of surfaces in cells as a beam sees them: in tetrahedra, or in trilinear
   /// cells.

@@ -62,6 +62,11 @@ SIMD_INLINE int LargerOf(int a, int b)
   return a > b ? a : b;
 }
 
+SIMD_INLINE float LargerOf(float a, float b)
+{
+  return a < b ? b : a;
+}
+
 /// Loads the numbers of a corner of each of a vector of cells. Behind the last cell it is repeated.
 template <int Corners>
 SIMD_INLINE void LoadCorner(
@@ -111,6 +116,9 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/MoveRays.inl"
 #include "Kernels/PackPieces.inl"
 #include "Kernels/PiecesOnRay.inl"
+
+#include "Kernels/ScatteredRays.inl"
+
 #include "Kernels/ProjectTetrahedra.inl"
 #include "Kernels/ShadeHits.inl"
 #include "Kernels/SolveCandidates.inl"
@@ -136,9 +144,9 @@ SIMD_INLINE void LoadCorner(
     FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade,   \
     MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, FindFrames, EndRays, ProjectChildren,        \
     FindChildrenInPencil, FindChildrenAround, FOR_ALL_TYPES(FindExtents), WeightGradients,         \
-    FindCornerGradients, SumAtCorners, PackPolygons, PackBoxes, FindPiecesOnRays,                  \
-    BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra, SolveTrilinear,     \
-    FindMetChildren, FindMetCells, MakeCloudRays, ProjectTetrahedra,                               \
+    FindCornerGradients, SumAtCorners, PackPolygons, PackBoxes, FindPiecesOnRays, ScatterRays,     \
+    FindSetOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra,       \
+    SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays, ProjectTetrahedra,               \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \
       { FindSegments<2, 0>, FindSegments<2, 1>, FindSegments<2, 2> },                              \
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \

@@ -253,21 +253,24 @@ SIMD_INLINE unsigned int FindBoxesOnRay(
   return found & ((1U << packed.Count) - 1U);
 }
 
-/// Those of some polygons of a set that a ray may meet, given its frame, in which it has the label
-/// 0; a bit for each. A polygon that it meets has all edges on one side of it, so it does not have
-/// two on different sides by more than the margin moves them. (What rounding does to areas is a
-/// part of the margin, in which there is an error of 2^-21 of the largest labels.)
-SIMD_INLINE unsigned int FindPolygonsOnRay(
-  const PackedPieces& packed, const BeamNumbers& frame, unsigned int among)
+/// Those of some polygons of a set that are around a point, or so near to it that a margin moves
+/// them there; a bit for each. The point is 0; coordinates across, and along an axis that they
+/// depend on, too, are given as functions of steps. A polygon around it has all edges on one side
+/// of it, so it does not have two on different sides. (What rounding does to areas is a part of the
+/// margin, in which there is an error of 2^-21 of the largest coordinates.)
+template <typename Steps>
+SIMD_INLINE unsigned int FindPolygonsAround(const PackedPieces& packed, const Steps& ofX,
+  const Steps& ofY, int along, const int across[2], float margin, unsigned int among)
 {
   constexpr int corners = PackedPieces::Corners;
   constexpr unsigned int mask = PackedPieces::Steps;
   constexpr unsigned int lanes = (1U << FloatWidth) - 1U;
-  const PackedProjection projection(packed, frame);
-  const float errors[2] = { projection.X.Error, projection.Y.Error };
-  const float margin = (errors[0] < errors[1] ? errors[1] : errors[0]) + frame.Margin + LabelMargin;
+  if (!(margin < static_cast<float>(LargestCoordinate) * 0x1p-10F))
+  {
+    return among; // Single precision does not tell.
+  }
   unsigned int beside = 0;
-  for (int first = 0; first < packed.Count && projection.IsBounded(); first += FloatWidth)
+  for (int first = 0; first < packed.Count; first += FloatWidth)
   {
     if ((among >> first & lanes) == 0)
     {
@@ -278,9 +281,9 @@ SIMD_INLINE unsigned int FindPolygonsOnRay(
     for (int i = 0; i < corners; ++i)
     {
       const std::uint32_t* words = &packed.Polygons[i][first];
-      const Floats z = GetBits(words, PackedPieces::Bits * frame.Along, mask);
-      x[i] = projection.X.Get(GetBits(words, PackedPieces::Bits * frame.Across[0], mask), z);
-      y[i] = projection.Y.Get(GetBits(words, PackedPieces::Bits * frame.Across[1], mask), z);
+      const Floats z = GetBits(words, PackedPieces::Bits * along, mask);
+      x[i] = ofX.Get(GetBits(words, PackedPieces::Bits * across[0], mask), z);
+      y[i] = ofY.Get(GetBits(words, PackedPieces::Bits * across[1], mask), z);
     }
     Floats leftmost = -static_cast<float>(Infinity);
     Floats rightmost = -static_cast<float>(Infinity);
@@ -295,6 +298,17 @@ SIMD_INLINE unsigned int FindPolygonsOnRay(
     beside |= ToBits((0.0F < leftmost) & (0.0F < rightmost)) << first;
   }
   return among & ~beside;
+}
+
+/// Those of some polygons of a set that a ray may meet, given its frame, in which it has the label
+/// 0; a bit for each.
+SIMD_INLINE unsigned int FindPolygonsOnRay(
+  const PackedPieces& packed, const BeamNumbers& frame, unsigned int among)
+{
+  const PackedProjection projection(packed, frame);
+  const float error = LargerOf(projection.X.Error, projection.Y.Error);
+  return FindPolygonsAround(packed, projection.X, projection.Y, frame.Along, frame.Across,
+    error + frame.Margin + LabelMargin, among);
 }
 
 /// Those of the pieces of a set that a ray may meet. Boxes come first: of most sets none is met.

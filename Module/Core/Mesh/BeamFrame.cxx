@@ -21,19 +21,6 @@ std::size_t FindLongestAxis(const Vector3& d)
   return size[0] >= size[1] && size[0] >= size[2] ? 0 : (size[1] >= size[2] ? 1 : 2);
 }
 
-/// Whether products of coordinates in a box neither overflow nor vanish in single precision.
-bool IsSinglePrecision(const Bounds& box)
-{
-  double largest = 0.0;
-  double size = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    largest = std::max({ largest, std::abs(box.Lower[axis]), std::abs(box.Upper[axis]) });
-    size = std::max(size, box.Upper[axis] - box.Lower[axis]);
-  }
-  return largest < 0x1p60 && size > 0x1p-60;
-}
-
 /// One of so many rays.
 RaySet TakeEvery(int stride, const RaySet& rays)
 {
@@ -70,6 +57,19 @@ LinePoint MeetPlane(const RayPacket& lines, int line, const BeamNumbers& frame)
   return point;
 }
 
+}
+
+//------------------------------------------------------------------------------
+bool IsSinglePrecision(const Bounds& box)
+{
+  double largest = 0.0;
+  double size = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    largest = std::max({ largest, std::abs(box.Lower[axis]), std::abs(box.Upper[axis]) });
+    size = std::max(size, box.Upper[axis] - box.Lower[axis]);
+  }
+  return largest < 0x1p60 && size > 0x1p-60;
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,9 @@ struct DepthsOfCoordinate
   double RoomFromZero;
 };
 
+/// Whether products of coordinates in a box neither overflow nor vanish in single precision.
+bool IsSinglePrecision(const Bounds& box);
+
 /// The frame of a beam: the rays between four lines.
 class BeamFrame
 {

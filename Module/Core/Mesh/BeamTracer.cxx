@@ -20,7 +20,7 @@ RaySet BeamTracer::Trace(const MeshSelection& selection, const RayPacket& packet
   const Departure* departures, MeshBeam& beam, HitsOfRays& hits)
 {
   this->Packet = &packet;
-  this->Solver.Begin(selection, packet, departures);
+  this->Solver.Begin(selection, packet, departures, false);
   this->Enter(selection, beam.GetFrame());
   if (this->AreFarApart(selection, beam.GetFrame()))
   {

@@ -15,6 +15,7 @@
 #include "Mesh/MeshCloud.h"
 #include "Mesh/MeshRay.h"
 #include "Mesh/PencilTracer.h"
+#include "Mesh/ScatteredRayTracer.h"
 #include "Mesh/ShapeFunctions.h"
 #include "Rays/AppendBoxedRay.h"
 
@@ -71,6 +72,7 @@ public:
   MeshBeam Pieces;
   BeamTracer Tracer;
   PencilTracer OtherRays;
+  ScatteredRayTracer ScatteredRays;
   HitsOfRays Hits;
 };
 
@@ -158,7 +160,8 @@ void MeshField::Select(
   }
   this->Selection = { &this->Cells, &this->Tree, this->Boxes.get(), std::move(ofCloud), request,
     std::move(halves), std::move(surfaces), std::move(spans), this->GetCellSize(),
-    execution.PacketKernels };
+    execution.PacketKernels,
+    execution.RaysForTrees * static_cast<double>(this->Cells.GetNumberOfCells()) };
 }
 
 //------------------------------------------------------------------------------
@@ -223,8 +226,8 @@ MeshSurface MeshField::SelectSurface(double isovalue) const
     return *known;
   }
   const double scale = GetValueScale(this->Tree.GetLow(), this->Tree.GetHigh(), isovalue);
-  return { isovalue, scale,
-    std::make_shared<SurfacePieces>(this->Cells, this->Tree, isovalue, scale) };
+  const auto pieces = std::make_shared<SurfacePieces>(this->Cells, this->Tree, isovalue, scale);
+  return { isovalue, scale, pieces, std::make_shared<PieceTreesOnDemand>(pieces->GetMaker()) };
 }
 
 //------------------------------------------------------------------------------
@@ -340,10 +343,28 @@ RaySet MeshField::TraceTogether(
   ForEachRay(others, [&thread](int ray) { thread.Hits.RemoveAll(ray); });
   if (!IsEmpty(others))
   {
-    traced = Unite(
-      traced, thread.OtherRays.Trace(this->Selection, packet, others, departures, thread.Hits));
+    traced = Unite(traced, this->TraceAlone(packet, others, departures, thread));
   }
   return traced;
+}
+
+//------------------------------------------------------------------------------
+/// The same of some rays that make no beam.
+RaySet MeshField::TraceAlone(const RayPacket& packet, const RaySet& rays,
+  const Departure* departures, ThreadBeam& thread) const
+{
+  const int count = CountOf(rays);
+  const auto hasTrees = [this, count](const MeshSurface& surface)
+  {
+    return surface.Trees->Find(
+             count, this->Selection.RaysForTrees, *this->Selection.PacketKernels) != nullptr;
+  };
+  // All count them.
+  const std::vector<MeshSurface>& surfaces = this->Selection.Surfaces;
+  const auto ready = std::count_if(surfaces.begin(), surfaces.end(), hasTrees);
+  return ready == static_cast<std::ptrdiff_t>(surfaces.size())
+    ? thread.ScatteredRays.Trace(this->Selection, packet, rays, departures, thread.Hits)
+    : thread.OtherRays.Trace(this->Selection, packet, rays, departures, thread.Hits);
 }
 
 //------------------------------------------------------------------------------
@@ -601,7 +622,8 @@ FieldStatistics MeshField::GetStatistics() const
   }
   for (const MeshSurface& surface : this->Selection.Surfaces)
   {
-    statistics.CacheMemory += surface.Pieces->GetMemory();
+    const PieceTrees* trees = surface.Trees->Get();
+    statistics.CacheMemory += surface.Pieces->GetMemory() + (trees ? trees->GetMemory() : 0);
   }
   return statistics;
 }

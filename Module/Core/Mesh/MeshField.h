@@ -78,6 +78,8 @@ private:
   std::unique_ptr<ThreadBeam> TakeBeamOf(const RayPacket& packet) const;
   RaySet TraceTogether(
     const RayPacket& packet, const Departure* departures, ThreadBeam& thread) const;
+  RaySet TraceAlone(const RayPacket& packet, const RaySet& rays, const Departure* departures,
+    ThreadBeam& thread) const;
   StoppedRays FindStopped(RayPacket& packet, const Departure* departures) const;
 
   std::vector<Cap> FindFirstCaps(RayPacket& packet, CellHits& inCell) const;

@@ -8,6 +8,7 @@
 #include "Mesh/CellBoxes.h"
 #include "Mesh/CellTree.h"
 #include "Mesh/MeshCells.h"
+#include "Mesh/PieceTree.h"
 #include "Mesh/PointGradients.h"
 #include "Mesh/SurfacePieces.h"
 #include "Rays/TraceRequest.h"
@@ -26,6 +27,7 @@ struct MeshSurface
   /// The power of two that values are multiplied by before the isovalue is subtracted.
   double Scale;
   std::shared_ptr<SurfacePieces> Pieces;
+  std::shared_ptr<PieceTreesOnDemand> Trees;
 };
 
 /// What is traced of a mesh, and with what. All must outlive it.
@@ -47,6 +49,8 @@ struct MeshSelection
   double CellSize = 1.0;
   /// With null each ray is traced by itself.
   const Kernels* PacketKernels = nullptr;
+  /// After so many rays that have little in common there are trees for them; see Execution.
+  double RaysForTrees = 0.0;
 
   /// Begins to fetch what is read when rays come to a node of the tree.
   void Prefetch(int level, std::size_t node) const

@@ -4,6 +4,7 @@
 #include "Mesh/PairSolver.h"
 
 #include "Math/Compiler.h"
+#include "Mesh/BeamFrame.h"
 
 #include <algorithm>
 
@@ -12,11 +13,11 @@ namespace vtkIsosurfaceRayTracing
 
 //------------------------------------------------------------------------------
 void PairSolver::Begin(const MeshSelection& selection, const RayPacket& packet,
-  const Departure* departures, const BeamNumbers* lone)
+  const Departure* departures, bool boundsHulls)
 {
   this->Packet = &packet;
   this->Departures = departures;
-  this->Lone = lone;
+  this->BoundsHulls = boundsHulls;
   std::copy_n(packet.End, RayPacket::Capacity, this->Ends);
   if (departures)
   {
@@ -173,7 +174,7 @@ void PairSolver::KeepTrilinearHits(const MeshSelection& selection, HitsOfRays& h
     const int ray = pairs.Ray[pair];
     if (!solutions.AreCertain)
     {
-      if (!this->Lone || this->IsWithinHull(selection, number, ray))
+      if (!this->BoundsHulls || this->IsWithinHull(selection, number, ray))
       {
         this->SolveByItself(selection, this->Trilinear, number, ray, hits, &solutions);
       }
@@ -196,13 +197,15 @@ void PairSolver::KeepTrilinearHits(const MeshSelection& selection, HitsOfRays& h
 }
 
 //------------------------------------------------------------------------------
-/// Whether a lone ray may meet the hull of a piece, as the pairs of beams do: where a ray passes an
+/// Whether a ray may meet the hull of a piece, as the pairs of beams do: where a ray passes an
 /// edge, what rounding decides about may lie beside the surface, in two cells or in none.
 bool PairSolver::IsWithinHull(const MeshSelection& selection, int number, int ray)
 {
   const auto surface = static_cast<std::size_t>(this->Trilinear.Surfaces[number]);
-  return this->Hulls.IsMet(
-    selection, selection.Surfaces[surface], this->Trilinear.Cells[number], this->Lone[ray]);
+  BeamFrame frame;
+  return !frame.FindAlone(*this->Packet, ray, selection.Tree->GetBounds()) ||
+    this->Hulls.IsMet(
+      selection, selection.Surfaces[surface], this->Trilinear.Cells[number], frame.GetNumbers());
 }
 
 //------------------------------------------------------------------------------

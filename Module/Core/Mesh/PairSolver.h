@@ -26,10 +26,10 @@ class PairSolver
 {
 public:
   /// Begins with the rays of a packet, of which the frames are to be set. Secondary rays have a
-  /// departure each, or null. Rays that make no beam have a frame each: with these given, trilinear
-  /// cells need not be within the hulls of their pieces.
+  /// departure each, or null. Trilinear cells may be given that are not within the hulls of their
+  /// pieces, if these are to be bounded.
   void Begin(const MeshSelection& selection, const RayPacket& packet, const Departure* departures,
-    const BeamNumbers* lone = nullptr);
+    bool boundsHulls);
   FramedRays& GetFramed() { return this->Framed; }
 
   /// Where each ray ends by the hits that were found.
@@ -93,7 +93,7 @@ private:
 
   const RayPacket* Packet = nullptr;
   const Departure* Departures = nullptr;
-  const BeamNumbers* Lone = nullptr;
+  bool BoundsHulls = false;
   FramedRays Framed;
   double Ends[RayPacket::Capacity];
   /// Of secondary rays.

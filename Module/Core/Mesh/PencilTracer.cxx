@@ -31,7 +31,7 @@ RaySet PencilTracer::Trace(const MeshSelection& selection, const RayPacket& pack
 {
   this->Packet = &packet;
   this->Departures = departures;
-  this->Solver.Begin(selection, packet, departures, this->Rays.Frame);
+  this->Solver.Begin(selection, packet, departures, true);
   const RaySet traced = this->PlaceRays(selection, rays);
   if (!IsEmpty(traced))
   {

@@ -3,10 +3,9 @@
 
 #include "Mesh/PieceTree.h"
 
-#include "Math/ThreadsOfLoop.h"
-
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -66,33 +65,17 @@ struct CellsOfKinds
   }
 };
 
-CellsOfKinds FindCells(const PieceMaker& maker, int threads)
+CellsOfKinds FindCells(const PieceMaker& maker)
 {
-  const std::size_t leaves = maker.GetNumberOfLeaves();
-  const int worth = GetThreadsOfLoop(leaves, 1000.0, threads);
-  // Some for each thread, in order.
-  const int parts = worth > 1 ? 8 * worth : 1;
-  std::vector<CellsOfKinds> found(static_cast<std::size_t>(parts));
-#pragma omp parallel for schedule(dynamic) num_threads(worth)
-  for (int part = 0; part < parts; ++part)
+  CellsOfKinds found;
+  for (std::size_t leaf = 0; leaf < maker.GetNumberOfLeaves(); ++leaf)
   {
-    const auto number = static_cast<std::size_t>(part);
-    const auto all = static_cast<std::size_t>(parts);
-    for (std::size_t leaf = leaves * number / all; leaf < leaves * (number + 1) / all; ++leaf)
-    {
-      CellsOfLeaf tetrahedra;
-      CellsOfLeaf others;
-      maker.FindPassedCells(leaf, tetrahedra, others);
-      found[number].Append(maker.GetCells(), tetrahedra, others);
-    }
+    CellsOfLeaf tetrahedra;
+    CellsOfLeaf others;
+    maker.FindPassedCells(leaf, tetrahedra, others);
+    found.Append(maker.GetCells(), tetrahedra, others);
   }
-  CellsOfKinds all;
-  for (const CellsOfKinds& part : found)
-  {
-    all.Tetrahedra.insert(all.Tetrahedra.end(), part.Tetrahedra.begin(), part.Tetrahedra.end());
-    all.Others.insert(all.Others.end(), part.Others.begin(), part.Others.end());
-  }
-  return all;
+  return found;
 }
 
 /// The axis along which the centres of some cells are farthest from each other.
@@ -129,8 +112,6 @@ void SortCells(PassedCell* cells, std::size_t count)
     const std::size_t axis = FindLongestAxis(cells, count);
     std::nth_element(cells, cells + half, cells + count,
       [axis](const PassedCell& a, const PassedCell& b) { return a.Center[axis] < b.Center[axis]; });
-    constexpr std::size_t leastOfTask = 4096;
-#pragma omp task if (count > leastOfTask)
     SortCells(cells, half);
     cells += half;
     count -= half;
@@ -179,31 +160,26 @@ void Include(const float (&lower)[3], const float (&upper)[3], int child, PieceT
 
 //------------------------------------------------------------------------------
 PieceTree::PieceTree(const PieceMaker& maker, std::vector<PassedCell>& cells, bool areTetrahedra,
-  const Kernels& kernels, int threads)
+  const Kernels& kernels)
 {
-#pragma omp parallel num_threads(GetThreadsOfLoop(cells.size(), 100.0, threads))
-#pragma omp single
   SortCells(cells.data(), cells.size());
   this->Cells.resize(cells.size());
   std::transform(cells.begin(), cells.end(), this->Cells.begin(),
     [](const PassedCell& cell) { return cell.Number; });
-  this->BuildLevels(this->PackSets(maker, areTetrahedra, kernels, threads));
+  this->BuildLevels(this->PackSets(maker, areTetrahedra, kernels));
 }
 
 //------------------------------------------------------------------------------
 std::vector<PieceTreeNode> PieceTree::PackSets(
-  const PieceMaker& maker, bool areTetrahedra, const Kernels& kernels, int threads)
+  const PieceMaker& maker, bool areTetrahedra, const Kernels& kernels)
 {
   const std::size_t count = this->Cells.size();
-  this->Boxes.resize((count + SetSize - 1) / SetSize);
-  this->Polygons.resize(areTetrahedra ? this->Boxes.size() : 0);
-  std::vector<PieceTreeNode> nodes((this->Boxes.size() + Width - 1) / Width);
-  const auto sets = static_cast<std::ptrdiff_t>(this->Boxes.size());
-#pragma omp parallel for schedule(static)                                                          \
-  num_threads(GetThreadsOfLoop(this->Boxes.size(), 1000.0, threads))
-  for (std::ptrdiff_t i = 0; i < sets; ++i)
+  const std::size_t sets = (count + SetSize - 1) / SetSize;
+  this->Boxes.resize(sets);
+  this->Polygons.resize(areTetrahedra ? sets : 0);
+  std::vector<PieceTreeNode> nodes((sets + Width - 1) / Width);
+  for (std::size_t number = 0; number < sets; ++number)
   {
-    const auto number = static_cast<std::size_t>(i);
     const std::size_t first = number * SetSize;
     PackedPieces other;
     PackedPieces& set = areTetrahedra ? this->Polygons[number] : other;
@@ -272,14 +248,14 @@ std::size_t PieceTree::GetMemory() const
 }
 
 //------------------------------------------------------------------------------
-PieceTrees::PieceTrees(const PieceMaker& maker, const Kernels& kernels, int threads)
+PieceTrees::PieceTrees(const PieceMaker& maker, const Kernels& kernels)
 {
-  CellsOfKinds cells = FindCells(maker, threads);
+  CellsOfKinds cells = FindCells(maker);
   for (std::vector<PassedCell>* some : { &cells.Tetrahedra, &cells.Others })
   {
     if (!some->empty())
     {
-      this->Trees.emplace_back(maker, *some, some == &cells.Tetrahedra, kernels, threads);
+      this->Trees.emplace_back(maker, *some, some == &cells.Tetrahedra, kernels);
     }
   }
 }
@@ -293,6 +269,30 @@ std::size_t PieceTrees::GetMemory() const
     memory += tree.GetMemory();
   }
   return memory;
+}
+
+//------------------------------------------------------------------------------
+const PieceTrees* PieceTreesOnDemand::Find(int rays, double raysForTrees, const Kernels& kernels)
+{
+  if (static_cast<double>(this->Rays.fetch_add(rays, std::memory_order_relaxed)) < raysForTrees)
+  {
+    return nullptr;
+  }
+  const PieceTrees* built = this->Get();
+  if (built || this->AreBegun.exchange(true))
+  {
+    return built;
+  }
+  try
+  {
+    this->Trees = std::make_unique<PieceTrees>(this->Maker, kernels);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+  this->Built.store(this->Trees.get(), std::memory_order_release);
+  return this->Trees.get();
 }
 
 }

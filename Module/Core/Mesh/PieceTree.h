@@ -4,11 +4,13 @@
 #ifndef PieceTree_h
 #define PieceTree_h
 
-#include "Kernels/PieceTree.h"
+#include "Kernels/ScatteredRays.h"
 #include "Mesh/PieceMaker.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -34,7 +36,7 @@ public:
 
   /// Builds that of the pieces in some cells, which are put in order: tetrahedra, or others.
   PieceTree(const PieceMaker& maker, std::vector<PassedCell>& cells, bool areTetrahedra,
-    const Kernels& kernels, int threads);
+    const Kernels& kernels);
 
   /// How rays come through it.
   PieceTreeLevels GetLevels() const;
@@ -43,7 +45,7 @@ public:
 
 private:
   std::vector<PieceTreeNode> PackSets(
-    const PieceMaker& maker, bool areTetrahedra, const Kernels& kernels, int threads);
+    const PieceMaker& maker, bool areTetrahedra, const Kernels& kernels);
   void BuildLevels(std::vector<PieceTreeNode> nodes);
 
   /// Those of all sets, one after the other.
@@ -59,7 +61,7 @@ private:
 class PieceTrees
 {
 public:
-  PieceTrees(const PieceMaker& maker, const Kernels& kernels, int threads);
+  PieceTrees(const PieceMaker& maker, const Kernels& kernels);
 
   const std::vector<PieceTree>& Get() const { return this->Trees; }
 
@@ -67,6 +69,31 @@ public:
 
 private:
   std::vector<PieceTree> Trees;
+};
+
+/// Those of a surface when they are worth it, and there is memory for them. The thread that comes
+/// to that builds them, while others do without.
+class PieceTreesOnDemand
+{
+public:
+  explicit PieceTreesOnDemand(const PieceMaker& maker)
+    : Maker(maker)
+  {
+  }
+
+  /// Counts rays that they are for. Returns null as long as there were fewer before, or they are
+  /// being built.
+  const PieceTrees* Find(int rays, double raysForTrees, const Kernels& kernels);
+
+  /// Those that are there; null if there are none.
+  const PieceTrees* Get() const { return this->Built.load(std::memory_order_acquire); }
+
+private:
+  PieceMaker Maker;
+  std::atomic<std::int64_t> Rays{ 0 };
+  std::atomic<bool> AreBegun{ false };
+  std::atomic<const PieceTrees*> Built{ nullptr };
+  std::unique_ptr<const PieceTrees> Trees;
 };
 
 }

@@ -43,7 +43,7 @@ void ScatteredRayTracer::FindTrees(const MeshSelection& selection)
   this->Trees.clear();
   for (std::size_t surface = 0; surface < selection.Surfaces.size(); ++surface)
   {
-    for (const PieceTree& tree : selection.Surfaces[surface].Trees->Get())
+    for (const PieceTree& tree : selection.Surfaces[surface].Trees->Get()->Get())
     {
       this->Trees.push_back({ tree.GetLevels(), static_cast<int>(surface) });
     }

@@ -4,7 +4,7 @@
 #ifndef ScatteredRayTracer_h
 #define ScatteredRayTracer_h
 
-#include "Kernels/PieceTree.h"
+#include "Kernels/ScatteredRays.h"
 #include "Mesh/HitsOfRays.h"
 #include "Mesh/MeshSelection.h"
 #include "Mesh/PairSolver.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef KernelsPieceTree_h
-#define KernelsPieceTree_h
+#ifndef ScatteredRays_h
+#define ScatteredRays_h
 
 #include "Kernels/BeamPieces.h"
 #include "Rays/RayPacket.h"
