@@ -108,6 +108,8 @@ std::uint32_t ScatteredRayTracer::GetStartCell(int ray, int surface) const
 void ScatteredRayTracer::AddPairs(const MeshSelection& selection, const TreeOfSurface& tree,
   int ray, int set, unsigned int pieces, HitsOfRays& hits)
 {
+  const std::uint32_t* cells =
+    tree.Levels.Cells + static_cast<std::size_t>(set) * PackedPieces::Capacity;
   for (; pieces != 0; pieces &= pieces - 1)
   {
     if (this->Solver.IsFull())
@@ -116,7 +118,7 @@ void ScatteredRayTracer::AddPairs(const MeshSelection& selection, const TreeOfSu
     }
     const auto pair = static_cast<int>(this->Pairs.size());
     this->Pairs.push_back(ray);
-    const std::uint32_t cell = tree.Levels.Cells[set * PackedPieces::Capacity + LowestBit(pieces)];
+    const std::uint32_t cell = cells[LowestBit(pieces)];
     this->Solver.Add(
       selection, { cell, tree.Levels.Polygons != nullptr, tree.Surface }, pair, pair + 1);
   }
