@@ -258,9 +258,8 @@ SIMD_INLINE unsigned int FindBoxesOnRay(
 /// depend on, too, are given as functions of steps. A polygon around it has all edges on one side
 /// of it, so it does not have two on different sides. (What rounding does to areas is a part of the
 /// margin, in which there is an error of 2^-21 of the largest coordinates.)
-template <typename Steps>
-SIMD_INLINE unsigned int FindPolygonsAround(const PackedPieces& packed, const Steps& ofX,
-  const Steps& ofY, int along, const int across[2], float margin, unsigned int among)
+SIMD_INLINE unsigned int FindPolygonsAround(const PackedPieces& packed, const StepFunction& ofX,
+  const StepFunction& ofY, int along, const int across[2], float margin, unsigned int among)
 {
   constexpr int corners = PackedPieces::Corners;
   constexpr unsigned int mask = PackedPieces::Steps;

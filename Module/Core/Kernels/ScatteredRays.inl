@@ -178,35 +178,17 @@ SIMD_INLINE void Enter(const PieceTreeLevels& tree, int level, std::uint32_t num
   way.Left[level] = met;
 }
 
-/// A coordinate of packed points beside a ray, as a function of their steps across and along.
-struct StepsBesideRay
+/// A coordinate of packed points beside a ray.
+SIMD_INLINE StepFunction GetBesideRay(
+  const PackedPieces& packed, const ScatteredRays& rays, int ray, int across, int k)
 {
-  float Start;
-  float Across;
-  float Along;
-  /// By how much it may be wrong.
-  float Error;
-
-  SIMD_INLINE StepsBesideRay(
-    const PackedPieces& packed, const ScatteredRays& rays, int ray, int across, int k)
-  {
-    constexpr float perStep = 1.0F / static_cast<float>(PackedPieces::Steps);
-    const int along = rays.Along[ray];
-    const float slope = rays.Slope[k][ray];
-    this->Start = packed.Lower[across] - rays.Center[k][ray] - slope * packed.Lower[along];
-    this->Across = (packed.Upper[across] - packed.Lower[across]) * perStep;
-    this->Along = slope * (packed.Lower[along] - packed.Upper[along]) * perStep;
-    // Points are half a step off at most; and what rounding takes off.
-    const float step = this->Across + std::fabs(this->Along);
-    this->Error = rays.Error[ray] + 0.51F * step +
-      0x1p-21F * (std::fabs(this->Start) + static_cast<float>(PackedPieces::Steps) * step);
-  }
-
-  SIMD_INLINE Floats Get(Floats across, Floats along) const
-  {
-    return MultiplyAdd(this->Across, across, MultiplyAdd(this->Along, along, this->Start));
-  }
-};
+  const int along = rays.Along[ray];
+  const auto slope = static_cast<double>(rays.Slope[k][ray]);
+  const double start = static_cast<double>(packed.Lower[across]) -
+    static_cast<double>(rays.Center[k][ray]) - slope * static_cast<double>(packed.Lower[along]);
+  return StepFunction(start, PackedProjection::GetStep(packed, across),
+    -slope * PackedProjection::GetStep(packed, along));
+}
 
 /// Those of some polygons of a set that a ray may meet; a bit for each.
 SIMD_INLINE unsigned int FindPolygonsOnRay(
@@ -215,9 +197,10 @@ SIMD_INLINE unsigned int FindPolygonsOnRay(
   constexpr int next[3] = { 1, 2, 0 };
   const int along = rays.Along[ray];
   const int across[2] = { next[along], next[next[along]] };
-  const StepsBesideRay ofX(packed, rays, ray, across[0], 0);
-  const StepsBesideRay ofY(packed, rays, ray, across[1], 1);
-  return FindPolygonsAround(packed, ofX, ofY, along, across, LargerOf(ofX.Error, ofY.Error), among);
+  const StepFunction ofX = GetBesideRay(packed, rays, ray, across[0], 0);
+  const StepFunction ofY = GetBesideRay(packed, rays, ray, across[1], 1);
+  const float margin = LargerOf(ofX.Error, ofY.Error) + rays.Error[ray];
+  return FindPolygonsAround(packed, ofX, ofY, along, across, margin, among);
 }
 
 /// Those that are not in a cell.
