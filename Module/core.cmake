@@ -50,14 +50,11 @@ set(core_sources
   Mesh/MeshField.cxx
   Mesh/MeshRay.cxx
   Mesh/NearestNodes.cxx
-  Mesh/NodesInPencil.cxx
   Mesh/PairSolver.cxx
-  Mesh/PencilTracer.cxx
   Mesh/PieceMaker.cxx
   Mesh/PieceTree.cxx
   Mesh/PointGradients.cxx
   Mesh/RayHitsInCells.cxx
-  Mesh/RayPencil.cxx
   Mesh/ShapeFunctions.cxx
   Mesh/ScatteredRayTracer.cxx
   Mesh/SurfacePieces.cxx

@@ -284,7 +284,7 @@ TEST_P(HexahedronKernels, FindTheBoxesOnARay)
   {
     const PassedHexahedra cells(random, this->TheKernels);
     const LoneRay ray(random, cells.GetBounds());
-    if (!ray.HasFrame)
+    if (!ray.Exists())
     {
       continue;
     }

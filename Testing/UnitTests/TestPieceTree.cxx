@@ -67,16 +67,13 @@ struct MeshWithTrees
   std::vector<std::uint32_t> FindOnRay(
     const Kernels& kernels, const LoneRay& ray, std::uint32_t startCell) const
   {
-    const Bounds& box = this->Tree.GetBounds();
-    ScatteredRays rays;
-    kernels.ScatterRays(ray.Packet, box.Lower.data(), box.Upper.data(), rays);
-    rays.SetEnd(0, ray.Packet.End[0]);
+    const ScatteredRays rays = ray.Scatter(kernels);
     std::vector<std::uint32_t> found;
     for (const PieceTree& tree : this->Pieces.Get())
     {
       const PieceTreeLevels levels = tree.GetLevels();
-      WayThroughPieces way;
-      way.Begin(levels);
+      WayThroughTree way;
+      way.Begin(levels.Count);
       unsigned int pieces;
       int set;
       while ((set = kernels.FindSetOnRay(levels, rays, 0, startCell, way, pieces)) >= 0)
@@ -150,7 +147,7 @@ TEST_P(PieceTreeTest, FindsPiecesOfTetrahedra)
     for (int j = 0; j < 20; ++j)
     {
       const LoneRay ray(random, all.Tree.GetBounds());
-      if (!ray.HasFrame)
+      if (!ray.Exists())
       {
         continue;
       }
@@ -199,7 +196,7 @@ TEST_P(PieceTreeTest, FindsPiecesOfOtherCells)
     for (int j = 0; j < 40; ++j)
     {
       const LoneRay ray(random, mesh.Tree.GetBounds());
-      if (!ray.HasFrame)
+      if (!ray.Exists())
       {
         continue;
       }

@@ -7,7 +7,6 @@
 #include "AllKernels.h"
 #include "LoneRay.h"
 #include "Math/RoundOutward.h"
-#include "Mesh/RayPencil.h"
 #include "PieceOfTetrahedron.h"
 #include "RandomNumbers.h"
 
@@ -16,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -130,7 +128,7 @@ TEST_P(PiecesOnRay, FindsChildren)
   {
     const Bounds mesh = MakeMesh(random);
     const LoneRay ray(random, mesh);
-    if (!ray.HasFrame)
+    if (!ray.Exists())
     {
       continue;
     }
@@ -151,139 +149,12 @@ TEST_P(PiecesOnRay, FindsChildren)
         isActive && ray.Meets(box, 0.0L), isActive && ray.Meets(box.GetWider(mesh), 0.0L));
     }
     const IsovalueSpan isovalue = { 0.5F, 1.0F };
-    float near[CellTreeNode::Width];
-    const unsigned int found = this->TheKernels.FindChildrenInPencil(
-      node, RayPencil::GetBounds(ray.GetThrough()), ray.End, &isovalue, 1, near);
+    const unsigned int found =
+      this->TheKernels.FindChildrenOnRay(node, ray.Scatter(this->TheKernels), 0, &isovalue, 1);
     ASSERT_NO_FATAL_FAILURE(count.Add(found, expected)) << i;
-    for (int child = 0; child < CellTreeNode::Width; ++child)
-    {
-      const bool isFound = (found >> child & 1U) != 0;
-      ASSERT_TRUE(!isFound || (ray.Begin <= near[child] && near[child] <= ray.End));
-    }
   }
   EXPECT_GT(count.Met, 10000);
   EXPECT_LT(count.Superfluous, count.Beside / 50);
-}
-
-/// Rays that go about the same way, one way along an axis, from about the same place.
-struct Group
-{
-  std::vector<LoneRay> Rays;
-  LoneRays Placed;
-  float End = -std::numeric_limits<float>::infinity();
-
-  /// The spread is a part of the size of the mesh, and of a direction.
-  Group(RandomNumbers& random, const Bounds& mesh, double spread)
-  {
-    this->Placed.Clear(mesh);
-    const double size = Length(mesh.Upper - mesh.Lower);
-    const Vector3 place = random.PointInBox(mesh.Lower, mesh.Upper);
-    // Some are parallel, along an axis, or in the plane of two.
-    Vector3 way = random.Direction();
-    for (double& step : way)
-    {
-      step = random.Integer(0, 3) == 0 ? 0.0 : step;
-    }
-    const double turn = random.Integer(0, 2) == 0 ? 0.0 : spread;
-    const double before = random.Integer(0, 2) == 0 ? random.Uniform(0.0, 100.0) : 0.0;
-    const int count = random.Integer(2, 40);
-    for (int i = 0; i < count; ++i)
-    {
-      const Vector3 origin =
-        place + random.Direction() * (size * spread * random.Uniform(0.0, 1.0));
-      const Vector3 direction =
-        (way + random.Direction() * (turn * random.Uniform(0.0, 1.0))) * size;
-      const double begin = before + random.Uniform(0.0, 0.2);
-      this->Add(LoneRay(
-        mesh, origin - direction * before, direction, begin, begin + random.Uniform(0.1, 1.0)));
-    }
-  }
-
-  void Add(const LoneRay& ray)
-  {
-    const auto isAlike = [&ray](const LoneRay& other)
-    {
-      return other.Frame.GetNumbers().Along == ray.Frame.GetNumbers().Along &&
-        other.Frame.GetNumbers().Sign == ray.Frame.GetNumbers().Sign;
-    };
-    if (ray.HasFrame && (this->Rays.empty() || isAlike(this->Rays.front())))
-    {
-      ray.Put(this->GetSize(), this->Placed);
-      this->End = std::max(this->End, ray.End);
-      this->Rays.push_back(ray);
-    }
-  }
-
-  int GetSize() const { return static_cast<int>(this->Rays.size()); }
-
-  const LoneRay& GetAny(RandomNumbers& random) const
-  {
-    return this->Rays[static_cast<std::size_t>(random.Integer(0, this->GetSize() - 1))];
-  }
-};
-
-/// The children that any ray of a pencil meets, at depths not behind its own; few beside, if the
-/// pencil is narrow.
-TEST_P(PiecesOnRay, FindsChildrenInPencils)
-{
-  RandomNumbers random(4);
-  Count ofAll;
-  Count ofNarrow;
-  for (int i = 0; i < 5000; ++i)
-  {
-    const Bounds mesh = MakeMesh(random);
-    const double spread = std::pow(10.0, random.Uniform(-6.0, 0.0));
-    const Group group(random, mesh, spread);
-    if (group.Rays.empty())
-    {
-      continue;
-    }
-    CellTreeNode node{};
-    Expected expected;
-    std::vector<float> nearest;
-    for (int child = 0; child < CellTreeNode::Width; ++child)
-    {
-      const FloatBox box(random, mesh, group.GetAny(random));
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        node.Lower[axis][child] = box.Lower[axis];
-        node.Upper[axis][child] = box.Upper[axis];
-      }
-      node.High[child] = 1.0F;
-      bool isMet = false;
-      bool isNearlyMet = false;
-      long double depth = std::numeric_limits<long double>::infinity();
-      for (const LoneRay& ray : group.Rays)
-      {
-        const BeamNumbers& frame = ray.Frame.GetNumbers();
-        const long double t = ray.FindEntry(box, 0.0L);
-        isMet = isMet || ray.Meets(box, 0.0L);
-        isNearlyMet = isNearlyMet || ray.Meets(box.GetWider(mesh), 0.0L);
-        if (std::isfinite(t))
-        {
-          const long double coordinate =
-            ray.Packet.Origin[frame.Along][0] + t * ray.Packet.Direction[frame.Along][0];
-          depth = std::min(depth, (coordinate - frame.Plane) * frame.Sign);
-        }
-      }
-      expected.Add(isMet, isNearlyMet);
-      nearest.push_back(static_cast<float>(depth));
-    }
-    const IsovalueSpan isovalue = { 0.5F, 1.0F };
-    float near[CellTreeNode::Width];
-    const RayPencil pencil(group.Placed, 0, group.GetSize(), mesh);
-    const unsigned int found = this->TheKernels.FindChildrenInPencil(
-      node, pencil.GetBounds(), group.End, &isovalue, 1, near);
-    ASSERT_NO_FATAL_FAILURE((spread < 1e-4 ? ofNarrow : ofAll).Add(found, expected)) << i;
-    for (int child = 0; child < CellTreeNode::Width; ++child)
-    {
-      const auto number = static_cast<std::size_t>(child);
-      ASSERT_TRUE(!expected.IsMet[number] || near[child] <= nearest[number]) << i;
-    }
-  }
-  EXPECT_GT(ofAll.Met, 1000);
-  EXPECT_GT(ofNarrow.Met, 1000);
-  EXPECT_LT(ofNarrow.Superfluous, ofNarrow.Beside / 50);
 }
 
 /// Those that the places of caps are in: the very ones, for places on borders too.
@@ -346,7 +217,7 @@ TEST_P(PiecesOnRay, FindsSets)
   {
     const Bounds mesh = MakeMesh(random);
     const LoneRay ray(random, mesh);
-    if (!ray.HasFrame)
+    if (!ray.Exists())
     {
       continue;
     }
@@ -362,20 +233,15 @@ TEST_P(PiecesOnRay, FindsSets)
       MakeOnePiece(sets[set]);
       expected.Add(ray.Meets(box, 0.0L), ray.Meets(box.GetWider(mesh), 0.0L));
     }
-    LoneRays alone;
-    alone.Clear(mesh);
-    ray.Put(0, alone);
-    const PencilThroughBoxes pencil = RayPencil::GetBounds(alone.Through[0]);
+    const ScatteredRays rays = ray.Scatter(this->TheKernels);
     unsigned int found = 0;
-    for (int next = 0; next < number;)
+    unsigned int pieces;
+    for (int next = 0;
+         (next = this->TheKernels.FindPiecesOnRay(sets, next, number, rays, 0, pieces)) < number;
+         ++next)
     {
-      MetPieces met;
-      const int first = next;
-      next = this->TheKernels.FindPiecesOnRays(
-        sets, first, number, alone, { pencil, 0, 1, ray.End }, met);
-      ASSERT_LT(first, next);
-      ASSERT_TRUE(met.Count == 1 || next == number);
-      found |= static_cast<unsigned int>(met.Count) << (next - 1);
+      ASSERT_EQ(pieces, 1U);
+      found |= 1U << next;
     }
     ASSERT_NO_FATAL_FAILURE(count.Add(found, expected)) << i;
   }
@@ -439,77 +305,27 @@ TEST_P(PiecesOnRay, FindsPolygons)
   {
     const Bounds mesh = MakeMesh(random);
     const LoneRay ray(random, mesh);
-    if (!ray.HasFrame)
+    if (!ray.Exists())
     {
       continue;
     }
     const PassedTetrahedra cells(random, mesh, ray, this->TheKernels);
     const unsigned int found = ray.FindPieces(this->TheKernels, cells.Set);
+    // Polygons do not tell where on its line the ray is.
+    LoneRay line = ray;
+    line.Packet.Begin[0] = -HUGE_VAL;
+    line.Packet.End[0] = HUGE_VAL;
     Expected expected;
     for (int cell = 0; cell < cells.Count; ++cell)
     {
       const PieceOfTetrahedron piece(cells.Corners[cell]);
       const bool isMet = piece.IsMetBy(ray.Packet);
-      expected.Add(isMet, isMet || ray.Meets(piece, 0.05L));
+      expected.Add(isMet, isMet || line.Meets(piece, 0.05L));
     }
     ASSERT_NO_FATAL_FAILURE(count.Add(found, expected)) << i;
   }
   EXPECT_GT(count.Met, 1000);
   EXPECT_LT(count.Superfluous, count.Beside / 50) << count.Met << " " << count.Beside;
-}
-
-/// What many rays meet of several sets is what each of them meets by itself.
-TEST_P(PiecesOnRay, FindsPiecesOnManyRays)
-{
-  RandomNumbers random(5);
-  int met = 0;
-  for (int i = 0; i < 2000; ++i)
-  {
-    const Bounds mesh = MakeMesh(random);
-    Group group(random, mesh, 0.1);
-    // Some fill all places.
-    while (i % 4 == 0 && !group.Rays.empty() && group.GetSize() < RayPacket::Capacity)
-    {
-      group.Add(LoneRay(group.GetAny(random)));
-    }
-    if (group.Rays.empty())
-    {
-      continue;
-    }
-    RayPencil::BoundGroups(group.Placed, 0, group.GetSize(), mesh);
-    constexpr int number = 5;
-    PackedPieces sets[number] = {};
-    for (PackedPieces& set : sets)
-    {
-      set = PassedTetrahedra(random, mesh, group.GetAny(random), this->TheKernels).Set;
-    }
-    const int first = random.Integer(0, group.GetSize() - 1);
-    const int count = random.Integer(1, group.GetSize() - first);
-    const PencilThroughBoxes pencil = RayPencil(group.Placed, first, count, mesh).GetBounds();
-    int last = 0;
-    for (int next = 0; next < number; last = next)
-    {
-      MetPieces found;
-      next = this->TheKernels.FindPiecesOnRays(
-        sets, last, number, group.Placed, { pencil, first, count, group.End }, found);
-      for (int set = last; set < next; ++set)
-      {
-        int entry = 0;
-        for (int place = first; place < first + count; ++place)
-        {
-          const unsigned int alone =
-            group.Rays[static_cast<std::size_t>(place)].FindPieces(this->TheKernels, sets[set]);
-          const bool isFound =
-            set == next - 1 && entry < found.Count && found.Place[entry] == place;
-          ASSERT_EQ(isFound ? found.Pieces[entry] : 0U, alone) << i;
-          entry += isFound ? 1 : 0;
-          met += isFound ? 1 : 0;
-        }
-        ASSERT_TRUE(set < next - 1 || entry == found.Count);
-      }
-    }
-  }
-  EXPECT_GT(met, 1000);
 }
 
 }

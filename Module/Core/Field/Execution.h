@@ -21,7 +21,7 @@ struct Execution
   const Kernels* PacketKernels = &GetBestKernels();
   /// After so many rays for each cell of a mesh that have little in common, trees over the pieces
   /// of its surfaces are built for such rays: by then they have taken about as long as that takes.
-  double RaysForTrees = 1.0 / 64.0;
+  double RaysForTrees = 1.0 / 128.0;
 };
 
 /// The memory limits of a traced field.

@@ -358,10 +358,10 @@ struct Kernels
   unsigned int (*ProjectChildren)(const CellTreeNode& node, const BeamProjection& beam,
     const IsovalueSpan* isovalues, int count, LabelBounds& bounds);
 
-  /// Finds the children of a node that a pencil may meet before a depth and one of the isovalues is
-  /// in, and the depths that it comes to them at; a bit for each.
-  unsigned int (*FindChildrenInPencil)(const CellTreeNode& node, const PencilThroughBoxes& pencil,
-    float end, const IsovalueSpan* isovalues, int count, float* near);
+  /// Finds the children of a node that a ray may meet and one of the isovalues is in; a bit for
+  /// each.
+  unsigned int (*FindChildrenOnRay)(const CellTreeNode& node, const ScatteredRays& rays, int ray,
+    const IsovalueSpan* isovalues, int count);
 
   /// Finds the children of a node that a place may be in, and that reach its least value; a bit for
   /// each.
@@ -392,21 +392,21 @@ struct Kernels
   /// ...or one of pieces in other cells, with corners as in PassedCellRecords.
   void (*PackBoxes)(const double (*corners)[PassedCellRecords::Corners][4], PackedPieces& packed);
 
-  /// Looks for the first set, from one on, with pieces that the rays of a pencil may meet before
-  /// they end, and finds these. Returns the number of the set behind it.
-  int (*FindPiecesOnRays)(const PackedPieces* sets, int firstSet, int numberOfSets,
-    const LoneRays& rays, const RaysInPencil& some, MetPieces& met);
-
   /// Finds how the rays of a packet, which go through a box, come to boxes and polygons; not where
   /// they end.
   void (*ScatterRays)(
     const RayPacket& packet, const double* lower, const double* upper, ScatteredRays& rays);
 
+  /// Looks for the first of some sets, from one on, with pieces that a ray may meet. Returns its
+  /// number, and a bit for each of the pieces; behind the last set if there is none.
+  int (*FindPiecesOnRay)(const PackedPieces* sets, int firstSet, int numberOfSets,
+    const ScatteredRays& rays, int ray, unsigned int& pieces);
+
   /// Takes a ray on its way through a tree to the next set with pieces that it may meet, but for
   /// one in the tetrahedron that it starts in. Returns the number of the set, and a bit for each of
   /// the pieces; -1 if there is none.
   int (*FindSetOnRay)(const PieceTreeLevels& tree, const ScatteredRays& rays, int ray,
-    std::uint32_t startCell, WayThroughPieces& way, unsigned int& pieces);
+    std::uint32_t startCell, WayThroughTree& way, unsigned int& pieces);
 
   /// Bounds the pieces of surfaces in cells as a beam sees them: in tetrahedra, or in trilinear
   /// cells.

@@ -57,6 +57,11 @@ SIMD_INLINE int SmallerOf(int a, int b)
   return a < b ? a : b;
 }
 
+SIMD_INLINE float SmallerOf(float a, float b)
+{
+  return b < a ? b : a;
+}
+
 SIMD_INLINE int LargerOf(int a, int b)
 {
   return a > b ? a : b;
@@ -115,9 +120,9 @@ SIMD_INLINE void LoadCorner(
 #include "Kernels/MakeRays.inl"
 #include "Kernels/MoveRays.inl"
 #include "Kernels/PackPieces.inl"
-#include "Kernels/PiecesOnRay.inl"
-
 #include "Kernels/ScatteredRays.inl"
+
+#include "Kernels/PiecesOnRay.inl"
 
 #include "Kernels/ProjectTetrahedra.inl"
 #include "Kernels/ShadeHits.inl"
@@ -143,8 +148,8 @@ SIMD_INLINE void LoadCorner(
     FOR_ALL_TYPES(ClassifyCells), FOR_ALL_TYPES(FindRanges), FOR_ALL_TYPES(BoundCells),            \
     FOR_ALL_TYPES(LoadCorners), Solve, SolveBoxes, FOR_ALL_TYPES(InterpolateDifferences), Shade,   \
     MakePixels, FOR_ALL_TYPES(IncludeRow), FrameRays, FindFrames, EndRays, ProjectChildren,        \
-    FindChildrenInPencil, FindChildrenAround, FOR_ALL_TYPES(FindExtents), WeightGradients,         \
-    FindCornerGradients, SumAtCorners, PackPolygons, PackBoxes, FindPiecesOnRays, ScatterRays,     \
+    FindChildrenOnRay, FindChildrenAround, FOR_ALL_TYPES(FindExtents), WeightGradients,            \
+    FindCornerGradients, SumAtCorners, PackPolygons, PackBoxes, ScatterRays, FindPiecesOnRay,      \
     FindSetOnRay, BoundPackedPieces, BoundTrilinear, FindPassed, FindPairs, SolveTetrahedra,       \
     SolveTrilinear, FindMetChildren, FindMetCells, MakeCloudRays, ProjectTetrahedra,               \
     { { FindSegments<1, 0>, FindSegments<1, 1> },                                                  \

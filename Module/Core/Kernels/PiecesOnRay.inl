@@ -1,257 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What single rays may meet in a mesh. Included by Kernels.inl only.
+// What single rays may meet in a mesh, in its tree or in one over the pieces of a surface. Included
+// by Kernels.inl only.
 
 namespace vtkIsosurfaceRayTracing
 {
 namespace
 {
-
-unsigned int FindChildrenInPencil(const CellTreeNode& node, const PencilThroughBoxes& pencil,
-  float end, const IsovalueSpan* isovalues, int count, float* near)
-{
-  unsigned int found = 0;
-  for (int i = 0; i < CellTreeNode::Width; i += FloatWidth)
-  {
-    const unsigned int active = FindActive(node, i, isovalues, count);
-    if (active == 0)
-    {
-      continue;
-    }
-    const auto getDepths = [&node, i](const PencilThroughBoxes::Side& side)
-    {
-      const auto& coordinates = side.IsUpper ? node.Upper : node.Lower;
-      return MultiplyAdd(side.Rate, LoadFloats(&coordinates[side.Axis][i]), side.Depth);
-    };
-    Floats entry = pencil.Begin;
-    Floats exit = end;
-    for (int side = 0; side < pencil.NumberOfEntries; ++side)
-    {
-      entry = Max(entry, getDepths(pencil.Bounds[side]));
-    }
-    for (int side = pencil.NumberOfEntries; side < PencilThroughBoxes::Sides; ++side)
-    {
-      exit = Min(exit, getDepths(pencil.Bounds[side]));
-    }
-    StoreFloats(entry, &near[i]);
-    found |= (active & ~ToBits(exit < entry)) << i;
-  }
-  return found;
-}
-
-/// Of as many sets of pieces as a vector has numbers, from one on, those that rays of a pencil may
-/// meet; a bit for each.
-SIMD_INLINE unsigned int FindSetsInPencil(
-  const PackedPieces* sets, int first, int numberOfSets, const RaysInPencil& some)
-{
-  const float* lower[FloatWidth];
-  for (int lane = 0; lane < FloatWidth; ++lane)
-  {
-    lower[lane] = sets[SmallerOf(first + lane, numberOfSets - 1)].Lower;
-  }
-  // The lower bounds and, behind them, the upper ones.
-  Floats bounds[8];
-  LoadFours(lower, bounds);
-  LoadFours(lower, bounds + 4, 2);
-  const auto getDepths = [&bounds](const PencilThroughBoxes::Side& side)
-  {
-    const Floats& bound = bounds[side.Axis + (side.IsUpper ? 5 : 0)];
-    return MultiplyAdd(side.Rate, bound, side.Depth);
-  };
-  const PencilThroughBoxes& pencil = some.Pencil;
-  Floats entry = pencil.Begin;
-  Floats exit = some.End;
-  for (int side = 0; side < pencil.NumberOfEntries; ++side)
-  {
-    entry = Max(entry, getDepths(pencil.Bounds[side]));
-  }
-  for (int side = pencil.NumberOfEntries; side < PencilThroughBoxes::Sides; ++side)
-  {
-    exit = Min(exit, getDepths(pencil.Bounds[side]));
-  }
-  const int count = SmallerOf(numberOfSets - first, FloatWidth);
-  return ~ToBits(exit < entry) & ((1U << count) - 1U);
-}
-
-/// The box of a set of pieces as rays of a pencil come to it, which have one axis and sign. A ray
-/// that comes into it is, at its middle depth, no farther from its middle than half of its size and
-/// half of what the ray moves across within its depths. So is what is between rays.
-struct BoxOnRays
-{
-  float Depth;
-  float HalfDepth;
-  float Middle[2];
-  float Half[2];
-
-  SIMD_INLINE BoxOnRays(const PackedPieces& set, const BeamNumbers& frame, float error)
-  {
-    const auto getMiddle = [&set](int axis) { return 0.5F * (set.Lower[axis] + set.Upper[axis]); };
-    const auto getHalf = [&set, error](int axis)
-    { return 0.5F * (set.Upper[axis] - set.Lower[axis]) + error; };
-    this->Depth =
-      static_cast<float>(frame.Sign * (static_cast<double>(getMiddle(frame.Along)) - frame.Plane));
-    this->HalfDepth = getHalf(frame.Along);
-    for (int k = 0; k < 2; ++k)
-    {
-      this->Middle[k] = getMiddle(frame.Across[k]);
-      this->Half[k] = getHalf(frame.Across[k]);
-    }
-  }
-
-  /// Which of the rays in places from one on, as many as a vector has numbers, may come to it; a
-  /// bit for each.
-  SIMD_INLINE unsigned int FindRays(const LoneRays& rays, int firstPlace) const
-  {
-    FloatMask isBeside = this->IsBeside(&rays.Begin[firstPlace], &rays.End[firstPlace]);
-    for (int k = 0; k < 2; ++k)
-    {
-      const Floats rate = LoadFloats(&rays.Rate[k][firstPlace]);
-      const Floats center = LoadFloats(&rays.Center[k][firstPlace]) - this->Middle[k];
-      const Floats distance = Abs(MultiplyAdd(rate, this->Depth, center));
-      const Floats most = MultiplyAdd(Abs(rate), this->HalfDepth, this->Half[k]);
-      isBeside = isBeside | (most < distance);
-    }
-    return ~ToBits(isBeside) & ((1U << FloatWidth) - 1U);
-  }
-
-  /// The same of groups.
-  SIMD_INLINE unsigned int FindGroups(const LoneRays& rays, int firstGroup) const
-  {
-    FloatMask isBeside = this->IsBeside(&rays.GroupBegin[firstGroup], &rays.GroupEnd[firstGroup]);
-    for (int k = 0; k < 2; ++k)
-    {
-      const Floats lowerRate = LoadFloats(&rays.LowerRate[k][firstGroup]);
-      const Floats upperRate = LoadFloats(&rays.UpperRate[k][firstGroup]);
-      const Floats lower = LoadFloats(&rays.Lower[k][firstGroup]) - this->Middle[k];
-      const Floats upper = LoadFloats(&rays.Upper[k][firstGroup]) - this->Middle[k];
-      const Floats mostLower = MultiplyAdd(Abs(lowerRate), this->HalfDepth, this->Half[k]);
-      const Floats mostUpper = MultiplyAdd(Abs(upperRate), this->HalfDepth, this->Half[k]);
-      isBeside = isBeside | (mostLower < MultiplyAdd(lowerRate, this->Depth, lower)) |
-        (MultiplyAdd(upperRate, this->Depth, upper) + mostUpper < 0.0F);
-    }
-    return ~ToBits(isBeside) & ((1U << FloatWidth) - 1U);
-  }
-
-  /// Which of many begin behind it, or end before it.
-  SIMD_INLINE FloatMask IsBeside(const float* begin, const float* end) const
-  {
-    return (LoadFloats(end) < this->Depth - this->HalfDepth) |
-      (this->Depth + this->HalfDepth < LoadFloats(begin));
-  }
-};
-
-/// Those of the groups of a pencil that may meet a set of pieces; a bit for each.
-SIMD_INLINE unsigned int FindGroupsAtSet(
-  const BoxOnRays& box, const LoneRays& rays, const RaysInPencil& some)
-{
-  const int first = some.FirstPlace / LoneRays::GroupSize;
-  const int last = (some.FirstPlace + some.Count - 1) / LoneRays::GroupSize;
-  if (first == last)
-  {
-    return 1U << first; // It is the pencil.
-  }
-  unsigned int found = 0;
-  for (int group = first; group <= last; group += FloatWidth)
-  {
-    found |= box.FindGroups(rays, group) << group;
-  }
-  return found & ((2U << last) - 1U);
-}
-
-/// Those of the rays of a pencil in a group that may meet a set of pieces; a bit for each place.
-SIMD_INLINE unsigned int FindRaysAtSet(
-  const BoxOnRays& box, const LoneRays& rays, const RaysInPencil& some, int firstPlace)
-{
-  constexpr int size = LoneRays::GroupSize;
-  unsigned int found = 0;
-  for (int i = 0; i < size; i += FloatWidth)
-  {
-    found |= box.FindRays(rays, firstPlace + i) << i;
-  }
-  const int before = some.FirstPlace < firstPlace ? 0 : some.FirstPlace - firstPlace;
-  const int end = SmallerOf(some.FirstPlace + some.Count - firstPlace, size);
-  return found & ((1U << end) - (1U << before));
-}
-
-/// A ray as it comes to points that are packed in steps of a box, which are half a step off at
-/// most.
-struct RayThroughSteps
-{
-  float Rate[3];
-  float Earlier[3];
-  float Later[3];
-
-  SIMD_INLINE RayThroughSteps(const PackedPieces& packed, const RayThroughBoxes& ray)
-  {
-    constexpr float perStep = 1.0F / static_cast<float>(PackedPieces::Steps);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const float lower = packed.Lower[axis];
-      this->Rate[axis] = ray.Rate[axis] * ((packed.Upper[axis] - lower) * perStep);
-      const float first =
-        ray.Rate[axis] * static_cast<float>(static_cast<double>(lower) - ray.Place[axis]);
-      const float room = ray.Room[axis] + 0.51F * std::fabs(this->Rate[axis]);
-      this->Earlier[axis] = first - room;
-      this->Later[axis] = first + room;
-    }
-  }
-};
-
-/// The boxes of the pieces of a set, in steps of its own.
-struct BoxesInSteps
-{
-  alignas(64) float Lower[3][PackedPieces::Capacity];
-  alignas(64) float Upper[3][PackedPieces::Capacity];
-
-  /// Of pieces with so many corners.
-  template <int Corners>
-  SIMD_INLINE void Unpack(const PackedPieces& packed)
-  {
-    constexpr unsigned int mask = PackedPieces::Steps;
-    for (int i = 0; i < packed.Count; i += FloatWidth)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        Floats lower = GetBits(&packed.Polygons[0][i], PackedPieces::Bits * axis, mask);
-        Floats upper = lower;
-        for (int corner = 1; corner < Corners; ++corner)
-        {
-          const Floats place =
-            GetBits(&packed.Polygons[corner][i], PackedPieces::Bits * axis, mask);
-          lower = Min(lower, place);
-          upper = Max(upper, place);
-        }
-        StoreFloats(lower, &this->Lower[axis][i]);
-        StoreFloats(upper, &this->Upper[axis][i]);
-      }
-    }
-  }
-};
-
-/// Those of the pieces of a set whose boxes a ray may meet before a depth; a bit for each.
-SIMD_INLINE unsigned int FindBoxesOnRay(
-  const PackedPieces& packed, const BoxesInSteps& boxes, const RayThroughBoxes& ray, float end)
-{
-  const RayThroughSteps steps(packed, ray);
-  unsigned int found = 0;
-  for (int i = 0; i < packed.Count; i += FloatWidth)
-  {
-    Floats entry = ray.Begin;
-    Floats exit = end;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const float* lower = &boxes.Lower[axis][i];
-      const float* upper = &boxes.Upper[axis][i];
-      const Floats first = LoadFloats(ray.IsUp[axis] ? lower : upper);
-      const Floats last = LoadFloats(ray.IsUp[axis] ? upper : lower);
-      entry = Max(entry, MultiplyAdd(steps.Rate[axis], first, steps.Earlier[axis]));
-      exit = Min(exit, MultiplyAdd(steps.Rate[axis], last, steps.Later[axis]));
-    }
-    found |= (~ToBits(exit < entry) & ((1U << FloatWidth) - 1U)) << i;
-  }
-  return found & ((1U << packed.Count) - 1U);
-}
 
 /// Those of some polygons of a set that are around a point, or so near to it that a margin moves
 /// them there; a bit for each. The point is 0; coordinates across, and along an axis that they
@@ -299,97 +55,167 @@ SIMD_INLINE unsigned int FindPolygonsAround(const PackedPieces& packed, const St
   return among & ~beside;
 }
 
-/// Those of some polygons of a set that a ray may meet, given its frame, in which it has the label
-/// 0; a bit for each.
+/// A coordinate of packed points beside a ray.
+SIMD_INLINE StepFunction GetBesideRay(
+  const PackedPieces& packed, const ScatteredRays& rays, int ray, int across, int k)
+{
+  const int along = rays.Along[ray];
+  const double slope = rays.Slope[k][ray];
+  const double start = static_cast<double>(packed.Lower[across]) - rays.Center[k][ray] -
+    slope * static_cast<double>(packed.Lower[along]);
+  return StepFunction(start, PackedProjection::GetStep(packed, across),
+    -slope * PackedProjection::GetStep(packed, along));
+}
+
+/// Those of some polygons of a set that a ray may meet; a bit for each.
 SIMD_INLINE unsigned int FindPolygonsOnRay(
-  const PackedPieces& packed, const BeamNumbers& frame, unsigned int among)
+  const PackedPieces& packed, const ScatteredRays& rays, int ray, unsigned int among)
 {
-  const PackedProjection projection(packed, frame);
-  const float error = LargerOf(projection.X.Error, projection.Y.Error);
-  return FindPolygonsAround(packed, projection.X, projection.Y, frame.Along, frame.Across,
-    error + frame.Margin + LabelMargin, among);
+  constexpr int next[3] = { 1, 2, 0 };
+  const int along = rays.Along[ray];
+  const int across[2] = { next[along], next[next[along]] };
+  const StepFunction ofX = GetBesideRay(packed, rays, ray, across[0], 0);
+  const StepFunction ofY = GetBesideRay(packed, rays, ray, across[1], 1);
+  const float margin = LargerOf(ofX.Error, ofY.Error) + rays.Error[ray];
+  return FindPolygonsAround(packed, ofX, ofY, along, across, margin, among);
 }
 
-/// Those of the pieces of a set that a ray may meet. Boxes come first: of most sets none is met.
-SIMD_INLINE unsigned int FindPiecesOnRay(
-  const PackedPieces& packed, const BoxesInSteps& boxes, const LoneRays& rays, int place)
+/// Those that are not in a cell.
+SIMD_INLINE unsigned int ExceptIn(
+  std::uint32_t cell, const std::uint32_t* cells, unsigned int pieces)
 {
-  const int ray = rays.Ray[place];
-  const unsigned int found = FindBoxesOnRay(packed, boxes, rays.Through[ray], rays.End[place]);
-  return found != 0 && packed.AreInTetrahedra ? FindPolygonsOnRay(packed, rays.Frame[ray], found)
-                                              : found;
-}
-
-/// The boxes of the pieces of a set.
-SIMD_INLINE void UnpackBoxes(const PackedPieces& packed, BoxesInSteps& boxes)
-{
-  if (packed.AreInTetrahedra)
+  unsigned int left = pieces;
+  for (; pieces != 0; pieces &= pieces - 1)
   {
-    boxes.Unpack<PackedPieces::Corners>(packed);
+    const int piece = LowestBit(pieces);
+    left &= ~(static_cast<unsigned int>(cells[piece] == cell) << piece);
   }
-  else
-  {
-    boxes.Unpack<2>(packed);
-  }
+  return left;
 }
 
-/// Adds what a ray may meet.
-SIMD_INLINE void AddPiecesOnRay(const PackedPieces& packed, const BoxesInSteps& boxes,
-  const LoneRays& rays, int place, MetPieces& met)
+unsigned int FindChildrenOnRay(const CellTreeNode& node, const ScatteredRays& rays, int ray,
+  const IsovalueSpan* isovalues, int count)
 {
-  const unsigned int found = FindPiecesOnRay(packed, boxes, rays, place);
-  met.Place[met.Count] = place;
-  met.Pieces[met.Count] = found;
-  met.Count += found != 0 ? 1 : 0;
+  unsigned int active = 0;
+  for (int i = 0; i < CellTreeNode::Width; i += FloatWidth)
+  {
+    active |= FindActive(node, i, isovalues, count) << i;
+  }
+  if (active == 0)
+  {
+    return 0;
+  }
+  const auto getEnds = [&node](int end, int i)
+  { return LoadFloats(end < 3 ? &node.Lower[end][i] : &node.Upper[end - 3][i]); };
+  return active & RayThroughBoxes(rays, ray).FindMet(getEnds);
 }
 
-/// Those that the rays of a pencil may meet in a set that the pencil comes to.
-SIMD_INLINE void FindPiecesInSet(
-  const PackedPieces& packed, const LoneRays& rays, const RaysInPencil& some, MetPieces& met)
+/// Those of the pieces of a set whose boxes are packed that a ray may meet; a bit for each.
+SIMD_INLINE unsigned int FindBoxesOnRay(const PackedPieces& packed, const RayThroughBoxes& ray)
 {
-  BoxesInSteps boxes;
-  if (some.Count == 1) // The pencil is the ray.
+  // Half a step.
+  constexpr float error = 0.51F;
+  constexpr float perStep = 1.0F / static_cast<float>(PackedPieces::Steps);
+  float step[3];
+  for (int axis = 0; axis < 3; ++axis)
   {
-    UnpackBoxes(packed, boxes);
-    AddPiecesOnRay(packed, boxes, rays, some.FirstPlace, met);
-    return;
+    step[axis] = (packed.Upper[axis] - packed.Lower[axis]) * perStep;
   }
-  const BoxOnRays box(packed, rays.Frame[rays.Ray[some.FirstPlace]], rays.Error);
-  bool areUnpacked = false;
-  for (unsigned int groups = FindGroupsAtSet(box, rays, some); groups != 0; groups &= groups - 1)
+  const auto getEnds = [&packed](int end, int i)
   {
-    const int firstPlace = LowestBit(groups) * LoneRays::GroupSize;
-    const unsigned int atSet = FindRaysAtSet(box, rays, some, firstPlace);
-    if (atSet != 0 && !areUnpacked)
+    return GetBits(
+      &packed.Polygons[end / 3][i], PackedPieces::Bits * (end % 3), PackedPieces::Steps);
+  };
+  return ray.InSteps(packed.Lower, step, error).FindMet(getEnds);
+}
+
+int FindPiecesOnRay(const PackedPieces* sets, int firstSet, int numberOfSets,
+  const ScatteredRays& rays, int ray, unsigned int& pieces)
+{
+  const RayThroughBoxes through(rays, ray);
+  for (int set = firstSet; set < numberOfSets; ++set)
+  {
+    const PackedPieces& packed = sets[set];
+    if (through.Meets(packed.Lower, packed.Upper))
     {
-      UnpackBoxes(packed, boxes);
-      areUnpacked = true;
-    }
-    for (unsigned int left = atSet; left != 0; left &= left - 1)
-    {
-      AddPiecesOnRay(packed, boxes, rays, firstPlace + LowestBit(left), met);
-    }
-  }
-}
-
-int FindPiecesOnRays(const PackedPieces* sets, int firstSet, int numberOfSets, const LoneRays& rays,
-  const RaysInPencil& some, MetPieces& met)
-{
-  met.Count = 0;
-  for (int first = firstSet; first < numberOfSets; first += FloatWidth)
-  {
-    for (unsigned int left = FindSetsInPencil(sets, first, numberOfSets, some); left != 0;
-         left &= left - 1)
-    {
-      const int set = first + LowestBit(left);
-      FindPiecesInSet(sets[set], rays, some, met);
-      if (met.Count > 0)
+      const unsigned int all = (1U << packed.Count) - 1U;
+      // To unpack boxes of polygons takes as long as to look at these.
+      pieces = packed.AreInTetrahedra ? FindPolygonsOnRay(packed, rays, ray, all)
+                                      : all & FindBoxesOnRay(packed, through);
+      if (pieces != 0)
       {
-        return set + 1;
+        return set;
       }
     }
   }
   return numberOfSets;
+}
+
+/// Those of the pieces of a set whose boxes a ray may meet; a bit for each.
+SIMD_INLINE unsigned int FindBoxesOnRay(const PieceBoxes& boxes, const RayThroughBoxes& ray)
+{
+  const auto getEnds = [&boxes](int end, int i) { return LoadBytes(&boxes.Ends[end][i]); };
+  return ray.InSteps(boxes.Lower, boxes.Step, PieceBoxes::Error).FindMet(getEnds) &
+    ((1U << boxes.Count) - 1U);
+}
+
+/// Begins to fetch the children of a node.
+SIMD_INLINE void PrefetchChildren(
+  const PieceTreeLevels& tree, int level, std::uint32_t first, unsigned int children)
+{
+  constexpr std::size_t line = 64;
+  for (; children != 0; children &= children - 1)
+  {
+    const std::uint32_t child = first + static_cast<std::uint32_t>(LowestBit(children));
+    const void* begin = level > 0 ? static_cast<const void*>(&tree.Nodes[level - 1][child])
+                                  : static_cast<const void*>(&tree.Boxes[child]);
+    const std::size_t size = level > 0 ? sizeof(PieceTreeNode) : sizeof(PieceBoxes);
+    for (std::size_t i = 0; i < size; i += line)
+    {
+      PrefetchLine(static_cast<const char*>(begin) + i);
+    }
+  }
+}
+
+/// Brings a ray to a node.
+SIMD_INLINE void EnterNode(const PieceTreeLevels& tree, std::uint32_t number,
+  const RayThroughBoxes& ray, WayThroughTree& way)
+{
+  constexpr std::uint32_t width = PieceTreeNode::Width;
+  const int level = way.Level - 1;
+  const PieceTreeNode& node = tree.Nodes[level][number];
+  const std::uint32_t count = tree.Children[level] - number * width;
+  const auto getEnds = [&node](int end, int i) { return LoadFloats(&node.Ends[end][i]); };
+  const unsigned int met = ray.FindMet(getEnds) & ((1U << (count < width ? count : width)) - 1U);
+  PrefetchChildren(tree, level, number * width, met);
+  way.Enter(number, met);
+}
+
+int FindSetOnRay(const PieceTreeLevels& tree, const ScatteredRays& rays, int ray,
+  std::uint32_t startCell, WayThroughTree& way, unsigned int& pieces)
+{
+  const RayThroughBoxes through(rays, ray);
+  std::uint32_t child;
+  while (way.Take(child))
+  {
+    if (way.Level > 0)
+    {
+      EnterNode(tree, child, through, way);
+      continue;
+    }
+    unsigned int met = FindBoxesOnRay(tree.Boxes[child], through);
+    if (met != 0 && tree.Polygons)
+    {
+      met = ExceptIn(startCell, &tree.Cells[child * PieceBoxes::Capacity], met);
+      met = met != 0 ? FindPolygonsOnRay(tree.Polygons[child], rays, ray, met) : 0;
+    }
+    if (met != 0)
+    {
+      pieces = met;
+      return static_cast<int>(child);
+    }
+  }
+  return -1;
 }
 
 }

@@ -5,11 +5,12 @@
 #define ScatteredRays_h
 
 #include "Kernels/BeamPieces.h"
+#include "Math/Compiler.h"
 #include "Rays/RayPacket.h"
 
 #include <cstdint>
 
-// A tree over the pieces of a surface, and single rays on their way through it, in single
+// Single rays on their way through trees, and a tree over the pieces of a surface, in single
 // precision. Everything is bounded with a margin for rounding: what is found is too much at times,
 // never too little.
 
@@ -60,7 +61,7 @@ struct PieceTreeLevels
 };
 
 /// Rays of a packet, each by itself as it comes to boxes and polygons. The depth is the way from
-/// the origin along the axis that the ray is longest along.
+/// where the ray begins along the axis that it is longest along.
 struct ScatteredRays
 {
   static constexpr int Capacity = RayPacket::Capacity;
@@ -70,49 +71,81 @@ struct ScatteredRays
   alignas(64) float Rate[3][Capacity];
   alignas(64) float Earlier[3][Capacity];
   alignas(64) float Later[3][Capacity];
-  /// The depths that a ray begins and ends at.
+  /// The depths that a ray begins at, about 0, and ends at.
   alignas(64) float Begin[Capacity];
   alignas(64) float End[Capacity];
   /// The axis that it is longest along, and of the two others, in cyclic order: the coordinate
   /// where that along is 0, and its change. Rounding moves what is measured with them by less than
   /// the error.
   alignas(64) int Along[Capacity];
-  alignas(64) float Center[2][Capacity];
-  alignas(64) float Slope[2][Capacity];
+  alignas(64) double Center[2][Capacity];
+  alignas(64) double Slope[2][Capacity];
   alignas(64) float Error[Capacity];
-  /// The depth for each step of T, and more than the distance from the origin to anything.
+  /// The T where a ray begins, the depth for each step of T, and more than the distance from there
+  /// to anything.
+  alignas(64) double FirstT[Capacity];
   alignas(64) double DepthOfT[Capacity];
   alignas(64) double Reach[Capacity];
 
   void SetEnd(int ray, double t)
   {
-    this->End[ray] = static_cast<float>(GetDepth(t * this->DepthOfT[ray], this->Reach[ray], 1.0));
-  }
-
-  /// A depth and a margin for rounding, behind it or before.
-  template <typename Number>
-  SIMD_INLINE static Number GetDepth(Number depth, Number reach, double sign)
-  {
-    return depth + sign * 0x1p-20 * (Abs(depth) + reach);
+    const double depth = (t - this->FirstT[ray]) * this->DepthOfT[ray];
+    this->End[ray] = static_cast<float>(depth + 0x1p-20 * (Abs(depth) + this->Reach[ray]));
   }
 };
 
-/// What is left of the way of a ray through such a tree, depth first.
-struct WayThroughPieces
+/// What is left of the way of a ray through a tree with 16 children of each node, depth first. It
+/// leads to the children of nodes of level 0.
+struct WayThroughTree
 {
-  /// The level of the node that it is in: above the root is one with the root as its child, and at
-  /// the end of the way it is above that.
+  static constexpr std::uint32_t Width = PieceTreeNode::Width;
+  /// Nodes of the highest of so many levels would have 2^32 of those below them.
+  static constexpr int Levels = PieceTreeLevels::Capacity;
+
+  /// The level of the node that it is in, and that above the root, of which the root is the child.
   int Level;
+  int Top;
+  /// Whether the last child comes first.
+  bool IsDown;
   /// In the node of each level from that on: the number of the first child, and the children that
   /// are left; a bit for each.
-  std::uint32_t First[PieceTreeLevels::Capacity + 1];
-  unsigned int Left[PieceTreeLevels::Capacity + 1];
+  std::uint32_t First[Levels + 1];
+  unsigned int Left[Levels + 1];
 
-  void Begin(const PieceTreeLevels& tree)
+  void Begin(int top, bool isDown = false)
   {
-    this->Level = tree.Count;
-    this->First[this->Level] = 0;
-    this->Left[this->Level] = 1;
+    this->Level = top;
+    this->Top = top;
+    this->IsDown = isDown;
+    this->First[top] = 0;
+    this->Left[top] = 1;
+  }
+
+  /// Takes the next child of the node that it is in, or else of one above. Returns whether there is
+  /// one.
+  SIMD_INLINE bool Take(std::uint32_t& child)
+  {
+    while (this->Left[this->Level] == 0)
+    {
+      if (this->Level == this->Top)
+      {
+        return false;
+      }
+      ++this->Level;
+    }
+    unsigned int& left = this->Left[this->Level];
+    const int next = this->IsDown ? HighestBit(left) : LowestBit(left);
+    child = this->First[this->Level] + static_cast<std::uint32_t>(next);
+    left &= ~(1U << next);
+    return true;
+  }
+
+  /// Goes down to a child, to some of its children; a bit for each.
+  SIMD_INLINE void Enter(std::uint32_t child, unsigned int children)
+  {
+    --this->Level;
+    this->First[this->Level] = child * Width;
+    this->Left[this->Level] = children;
   }
 };
 

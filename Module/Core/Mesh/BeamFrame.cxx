@@ -73,17 +73,6 @@ bool IsSinglePrecision(const Bounds& box)
 }
 
 //------------------------------------------------------------------------------
-DepthsOfCoordinate::DepthsOfCoordinate(double place, double rate, double extent)
-{
-  // A smaller rate would move a ray by less than the room that there is for rounding.
-  constexpr double least = 0x1p-22;
-  this->Rate = 1.0 / std::copysign(std::max(std::abs(rate), least), rate);
-  this->AtZero = -place * this->Rate;
-  this->Room = 0x1p-19 * extent * std::abs(this->Rate);
-  this->RoomFromZero = this->Room + 0x1p-21 * std::abs(this->AtZero);
-}
-
-//------------------------------------------------------------------------------
 bool BeamFrame::Find(const RayPacket& lines, const RaySet& some, const Bounds& box)
 {
   constexpr int few = 4;
@@ -248,30 +237,6 @@ BeamProjection BeamFrame::GetProjection() const
   beam.DepthError = static_cast<float>(0x1p-20 * length);
   beam.Begin = -HUGE_VALF;
   return beam;
-}
-
-//------------------------------------------------------------------------------
-/// At the depth d the coordinates are those of the plane and the centre, and d times the rates: 1
-/// or -1 along the axis, and the slopes that go with it.
-RayThroughBoxes BeamFrame::GetRay(float begin) const
-{
-  const BeamNumbers& frame = this->Numbers;
-  const int axes[3] = { frame.Along, frame.Across[0], frame.Across[1] };
-  const double places[3] = { frame.Plane, frame.Center[0], frame.Center[1] };
-  const double rates[3] = { frame.Sign, frame.Sign * frame.Slope[0], frame.Sign * frame.Slope[1] };
-  RayThroughBoxes ray{};
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const DepthsOfCoordinate depths(places[k], rates[k], this->Reach + frame.Length);
-    ray.IsUp[axes[k]] = depths.Rate > 0.0;
-    ray.Rate[axes[k]] = static_cast<float>(depths.Rate);
-    ray.Earlier[axes[k]] = static_cast<float>(depths.AtZero - depths.RoomFromZero);
-    ray.Later[axes[k]] = static_cast<float>(depths.AtZero + depths.RoomFromZero);
-    ray.Place[axes[k]] = places[k];
-    ray.Room[axes[k]] = static_cast<float>(depths.Room);
-  }
-  ray.Begin = begin;
-  return ray;
 }
 
 //------------------------------------------------------------------------------

@@ -17,23 +17,6 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// The depth at which a coordinate of a ray, or of a plane beside rays, is reached: a linear
-/// function of the coordinate.
-struct DepthsOfCoordinate
-{
-  /// Those of one that has a place at the depth 0, and a rate by which it changes with the depth.
-  /// Places within an extent matter.
-  DepthsOfCoordinate(double place, double rate, double extent);
-
-  /// The depth for each step of the coordinate, and that at 0.
-  double Rate;
-  double AtZero;
-  /// What rounding to single precision may take off depths where coordinates are counted from the
-  /// place, and where they are counted from 0.
-  double Room;
-  double RoomFromZero;
-};
-
 /// Whether products of coordinates in a box neither overflow nor vanish in single precision.
 bool IsSinglePrecision(const Bounds& box);
 
@@ -52,9 +35,6 @@ public:
 
   /// How the boxes of a tree are projected, in single precision.
   BeamProjection GetProjection() const;
-
-  /// How the ray of a frame that has one alone comes to boxes.
-  RayThroughBoxes GetRay(float begin) const;
 
   const BeamNumbers& GetNumbers() const { return this->Numbers; }
 

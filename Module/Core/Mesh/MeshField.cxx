@@ -14,7 +14,6 @@
 #include "Mesh/MeshCaps.h"
 #include "Mesh/MeshCloud.h"
 #include "Mesh/MeshRay.h"
-#include "Mesh/PencilTracer.h"
 #include "Mesh/ScatteredRayTracer.h"
 #include "Mesh/ShapeFunctions.h"
 #include "Rays/AppendBoxedRay.h"
@@ -71,7 +70,6 @@ class MeshField::ThreadBeam final : public Beam
 public:
   MeshBeam Pieces;
   BeamTracer Tracer;
-  PencilTracer OtherRays;
   ScatteredRayTracer ScatteredRays;
   HitsOfRays Hits;
 };
@@ -362,9 +360,9 @@ RaySet MeshField::TraceAlone(const RayPacket& packet, const RaySet& rays,
   // All count them.
   const std::vector<MeshSurface>& surfaces = this->Selection.Surfaces;
   const auto ready = std::count_if(surfaces.begin(), surfaces.end(), hasTrees);
-  return ready == static_cast<std::ptrdiff_t>(surfaces.size())
-    ? thread.ScatteredRays.Trace(this->Selection, packet, rays, departures, thread.Hits)
-    : thread.OtherRays.Trace(this->Selection, packet, rays, departures, thread.Hits);
+  const bool haveTrees = ready == static_cast<std::ptrdiff_t>(surfaces.size());
+  return thread.ScatteredRays.Trace(
+    this->Selection, packet, rays, departures, haveTrees, thread.Hits);
 }
 
 //------------------------------------------------------------------------------

@@ -17,16 +17,16 @@
 namespace vtkIsosurfaceRayTracing
 {
 
-/// Traces rays of a packet that have little in common, each by itself through the trees over all
-/// pieces of the surfaces. In rounds, every ray comes to the next set with pieces that it may hit.
-/// The pairs of a round are solved together.
+/// Traces rays of a packet that have little in common, each by itself: through the trees over all
+/// pieces of the surfaces, or without these through that of the cells. In rounds, every ray comes
+/// to the next pieces that it may hit. The pairs of a round are solved together.
 class ScatteredRayTracer
 {
 public:
   /// Adds the hits of some rays; of secondary rays, with a departure for each ray of the packet,
-  /// any that stops them. All surfaces must have trees. Returns those that were traced.
+  /// any that stops them. Given whether all surfaces have trees. Returns those that were traced.
   RaySet Trace(const MeshSelection& selection, const RayPacket& packet, const RaySet& rays,
-    const Departure* departures, HitsOfRays& hits);
+    const Departure* departures, bool haveTrees, HitsOfRays& hits);
 
 private:
   struct TreeOfSurface
@@ -40,18 +40,24 @@ private:
   {
     int Ray;
     std::size_t Tree;
-    WayThroughPieces Way;
+    WayThroughTree Way;
   };
 
   void FindTrees(const MeshSelection& selection);
-  void Begin(const RaySet& rays);
+  void Begin(const MeshSelection& selection, const RaySet& rays);
   bool Advance(const MeshSelection& selection, RayOnWay& ray, HitsOfRays& hits);
+  bool AdvanceInTrees(const MeshSelection& selection, RayOnWay& ray, HitsOfRays& hits);
+  bool AdvanceInCells(const MeshSelection& selection, RayOnWay& ray, HitsOfRays& hits);
+  bool FindLeaf(const MeshSelection& selection, RayOnWay& ray, std::size_t& leaf) const;
+  bool AddPiecesOfLeaf(const MeshSelection& selection, int ray, std::size_t leaf, HitsOfRays& hits);
   std::uint32_t GetStartCell(int ray, int surface) const;
-  void AddPairs(const MeshSelection& selection, const TreeOfSurface& tree, int ray, int set,
-    unsigned int pieces, HitsOfRays& hits);
+  void Add(
+    const MeshSelection& selection, const PairSolver::PassedCell& cell, int ray, HitsOfRays& hits);
   void Solve(const MeshSelection& selection, HitsOfRays& hits);
 
   const Departure* Departures = nullptr;
+  bool HaveTrees = false;
+  /// Those of all surfaces, or none.
   std::vector<TreeOfSurface> Trees;
   ScatteredRays Rays;
   /// Those that are not at their end.
