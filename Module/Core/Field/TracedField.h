@@ -138,6 +138,10 @@ public:
   /// Finds the hits of several packets of a beam, which must be begun.
   virtual void TracePackets(TracedPacket* packets, int count, Beam* beam);
 
+  /// Whether rays are traced faster if those of a packet have similar directions, even if it takes
+  /// some time to find such rays.
+  virtual bool GainsFromDirections() const { return true; }
+
   /// Finds the transmittance along each ray: the product of those of the surfaces it crosses,
   /// without the crossing that it starts from. There is a departure for each ray. The packet is
   /// used up.

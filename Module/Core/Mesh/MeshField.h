@@ -54,6 +54,7 @@ public:
   bool MayHitBetween(RayPacket& lines, Beam* beam) const override;
   using TracedField::Trace;
   void Trace(RayPacket& packet, RayHits& hits, Beam* beam) override;
+  bool GainsFromDirections() const override { return false; }
   void FindTransmittance(
     RayPacket& packet, const Departure* departures, double* transmittance) override;
   void AddClouds(const Camera& view, const std::vector<ValueIntervals>& shown,

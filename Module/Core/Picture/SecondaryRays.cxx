@@ -118,7 +118,7 @@ void SecondaryRays::FindAmbient(const Hit* hits, int count, LightAtHits& ambient
           this->MakeOcclusionRay(hemispheres[static_cast<std::size_t>(i)].Next(), starts[i]));
       }
     }
-    this->FindTransmittanceSorted(rays, transmittance);
+    this->FindTransmittanceOfAll(rays, transmittance);
     for (std::size_t i = 0; i < transmittance.size(); ++i)
     {
       ambient.Parts[i / static_cast<std::size_t>(some)] += transmittance[i] / raysOfHit;
@@ -167,13 +167,29 @@ SecondaryRays::OutgoingRay SecondaryRays::MakeOcclusionRay(
 }
 
 //------------------------------------------------------------------------------
-/// For any number of rays. Those with similar directions are traced together, which does not change
-/// the result.
+/// For any number of rays.
+void SecondaryRays::FindTransmittanceOfAll(
+  const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const
+{
+  transmittance.resize(rays.size());
+  if (this->Field.GainsFromDirections())
+  {
+    this->FindTransmittanceSorted(rays, transmittance);
+    return;
+  }
+  for (std::size_t first = 0; first < rays.size(); first += RayPacket::Capacity)
+  {
+    const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, rays.size() - first);
+    this->FindTransmittance(&rays[first], static_cast<int>(count), &transmittance[first]);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The same. Those with similar directions are traced together, which does not change the result.
 void SecondaryRays::FindTransmittanceSorted(
   const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const
 {
   const std::vector<std::size_t> order = SortByDirection(rays);
-  transmittance.resize(rays.size());
   for (std::size_t first = 0; first < order.size(); first += RayPacket::Capacity)
   {
     const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, order.size() - first);

@@ -58,6 +58,8 @@ private:
   OutgoingRay MakeLightRay(const Light& light, const Start& start) const;
   OutgoingRay MakeOcclusionRay(const Vector3& direction, const Start& start) const;
   static std::vector<std::size_t> SortByDirection(const std::vector<OutgoingRay>& rays);
+  void FindTransmittanceOfAll(
+    const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const;
   void FindTransmittanceSorted(
     const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const;
   void FindTransmittance(const OutgoingRay* rays, int count, double* transmittance) const;
