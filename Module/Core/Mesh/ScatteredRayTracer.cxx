@@ -164,7 +164,6 @@ bool ScatteredRayTracer::AddPiecesOfLeaf(
   for (std::size_t number = 0; number < selection.Surfaces.size(); ++number)
   {
     const auto surface = static_cast<int>(number);
-    const std::uint32_t start = this->GetStartCell(ray, surface);
     const PackedPieces* sets =
       selection.Surfaces[number].Pieces->Get(leaf, *selection.PacketKernels);
     const int count = sets->Sets;
@@ -178,11 +177,8 @@ bool ScatteredRayTracer::AddPiecesOfLeaf(
       {
         const std::uint32_t cell =
           selection.Tree->GetCellOfLeaf(leaf, set.Cells[LowestBit(pieces)]);
-        if (cell != start || !set.AreInTetrahedra)
-        {
-          this->Add(selection, { cell, set.AreInTetrahedra, surface }, ray, hits);
-          areAny = true;
-        }
+        this->Add(selection, { cell, set.AreInTetrahedra, surface }, ray, hits);
+        areAny = true;
       }
     }
   }
@@ -190,7 +186,8 @@ bool ScatteredRayTracer::AddPiecesOfLeaf(
 }
 
 //------------------------------------------------------------------------------
-/// The cell in which a ray starts on a surface: in a tetrahedron, it crosses a plane there once.
+/// The cell in which a ray starts on a surface. If it is a tetrahedron, the ray crosses the plane
+/// of its piece there alone, which need not be solved.
 std::uint32_t ScatteredRayTracer::GetStartCell(int ray, int surface) const
 {
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
