@@ -44,11 +44,12 @@ if ! command -v apt-get >/dev/null; then
   skip "this is not a Debian system (no apt-get)."
 fi
 Utilities/install-dependencies.sh libdouble-conversion-dev libfreetype-dev libgl1-mesa-dev libglew-dev \
-  liblz4-dev liblzma-dev libopenmpi-dev libutfcpp-dev openmpi-bin python3-numpy
+  liblz4-dev liblzma-dev libopenmpi-dev libutfcpp-dev openmpi-bin python3-numpy ccache
 if [[ ! -d $root ]]; then
   unpack_paraview || skip "Debian's packages of ParaView, or what they need, cannot be had (see above)."
 fi
 
+source Utilities/compiler-cache.sh
 config=("$root"/usr/lib/*/cmake/paraview-*)
 cmake -S ParaView -B build/paraview -G Ninja -DParaView_DIR="${config[0]}" -DBUILD_TESTING=ON \
   -DvtkIsosurfaceRayTracing_WARNINGS_AS_ERRORS=ON -DPython3_EXECUTABLE=/usr/bin/python3
