@@ -167,29 +167,18 @@ SecondaryRays::OutgoingRay SecondaryRays::MakeOcclusionRay(
 }
 
 //------------------------------------------------------------------------------
-/// For any number of rays.
+/// For any number of rays. Those with similar directions are traced together, where that is faster;
+/// it does not change the result.
 void SecondaryRays::FindTransmittanceOfAll(
   const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const
 {
-  transmittance.resize(rays.size());
+  std::vector<std::size_t> order(rays.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
   if (this->Field.GainsFromDirections())
   {
-    this->FindTransmittanceSorted(rays, transmittance);
-    return;
+    order = SortByDirection(rays);
   }
-  for (std::size_t first = 0; first < rays.size(); first += RayPacket::Capacity)
-  {
-    const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, rays.size() - first);
-    this->FindTransmittance(&rays[first], static_cast<int>(count), &transmittance[first]);
-  }
-}
-
-//------------------------------------------------------------------------------
-/// The same. Those with similar directions are traced together, which does not change the result.
-void SecondaryRays::FindTransmittanceSorted(
-  const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const
-{
-  const std::vector<std::size_t> order = SortByDirection(rays);
+  transmittance.resize(rays.size());
   for (std::size_t first = 0; first < order.size(); first += RayPacket::Capacity)
   {
     const std::size_t count = std::min<std::size_t>(RayPacket::Capacity, order.size() - first);

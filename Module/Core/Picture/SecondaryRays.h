@@ -60,8 +60,6 @@ private:
   static std::vector<std::size_t> SortByDirection(const std::vector<OutgoingRay>& rays);
   void FindTransmittanceOfAll(
     const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const;
-  void FindTransmittanceSorted(
-    const std::vector<OutgoingRay>& rays, std::vector<double>& transmittance) const;
   void FindTransmittance(const OutgoingRay* rays, int count, double* transmittance) const;
   void FindTransmittanceOfOthers(const OutgoingRay* rays, int count, double* transmittance) const;
 
