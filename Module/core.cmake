@@ -58,6 +58,7 @@ set(core_sources
   Mesh/ShapeFunctions.cxx
   Mesh/ScatteredRayTracer.cxx
   Mesh/SurfacePieces.cxx
+  Mesh/Tetrahedralization.cxx
   Mesh/TrilinearSystem.cxx
   Picture/CastRays.cxx
   Picture/CloudFinder.cxx

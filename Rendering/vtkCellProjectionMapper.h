@@ -17,8 +17,8 @@
  * less than 1 / 32768 of the light behind is seen. Hexahedra, voxels, wedges and pyramids are
  * subdivided into tetrahedra: each face with four corners is cut along the diagonal from the first
  * of them (by x, then y, then z), whatever cell it is of, so that cells meet without gaps. (The
- * isosurfaces are those of the cells as vtkIsosurfaceRayTraceMeshMapper has them, unless
- * Tetrahedralize is on.)
+ * isosurfaces are those of the cells as vtkIsosurfaceRayTraceMeshMapper has them; with
+ * TetrahedralizeOn, those of the same tetrahedra.)
  *
  * What is transparent costs little: cells without a value that has any opacity are passed over.
  *

@@ -215,10 +215,12 @@ public:
 
   ///@{
   /**
-   * Set/Get whether cells are split into tetrahedra, as vtkDataSetTriangleFilter does, in which
-   * values are linear: the surface is that of a contour of these, and not that of the cells as VTK
-   * interpolates them. Rays take less time; the tetrahedra take memory, about 50 bytes each (a
-   * hexahedron becomes five or six). Polyhedra become their convex hulls. Default: off.
+   * Set/Get whether cells are split into tetrahedra, in which values are linear: the surface is
+   * that of a contour of these, and not that of the cells as VTK interpolates them. The tetrahedra
+   * are those of a cloud (vtkCellProjectionMapper): each face with four corners is cut along the
+   * diagonal from the first of them (by x, then y, then z), so cells agree on faces, also those of
+   * different blocks and processes. Rays take less time; the tetrahedra take memory, 36 bytes each:
+   * a hexahedron becomes six, a wedge three, a pyramid two. Default: off.
    */
   vtkSetMacro(Tetrahedralize, bool);
   vtkGetMacro(Tetrahedralize, bool);

@@ -250,25 +250,25 @@ void vtkIsosurfaceRayTraceMeshPart::FindHiddenCells()
 /// Hides those parts of a cell that are finite, where one of the others is not.
 void vtkIsosurfaceRayTraceMeshPart::HidePartsOfInfiniteCells()
 {
-  const std::vector<vtkIdType>& ids = this->TracedCells.GetIds();
-  if (ids.empty() || this->Field->AreAllCellsFinite())
+  if (!this->TracedCells.MayBeParts() || this->Field->AreAllCellsFinite())
   {
     return;
   }
-  this->HiddenCells.resize(ids.size(), 0);
-  std::size_t end = 0;
-  for (std::size_t begin = 0; begin < ids.size(); begin = end)
+  const std::int64_t count = this->Cells->GetNumberOfCells();
+  this->HiddenCells.resize(static_cast<std::size_t>(count), 0);
+  std::int64_t end = 0;
+  for (std::int64_t begin = 0; begin < count; begin = end)
   {
+    const vtkIdType id = this->TracedCells.FindId(begin);
     bool isFinite = true;
-    for (end = begin; end < ids.size() && ids[end] == ids[begin]; ++end)
+    for (end = begin; end < count && this->TracedCells.FindId(end) == id; ++end)
     {
       vtkirt::MeshCell part;
-      isFinite = this->Cells->Load(static_cast<std::int64_t>(end), part) && isFinite;
+      isFinite = this->Cells->Load(end, part) && isFinite;
     }
     if (!isFinite)
     {
-      std::fill(this->HiddenCells.begin() + static_cast<std::ptrdiff_t>(begin),
-        this->HiddenCells.begin() + static_cast<std::ptrdiff_t>(end), 1);
+      std::fill(this->HiddenCells.begin() + begin, this->HiddenCells.begin() + end, 1);
     }
   }
 }
@@ -277,7 +277,7 @@ void vtkIsosurfaceRayTraceMeshPart::HidePartsOfInfiniteCells()
 /// The points of a cell, or of the whole of which it is a part; none if its shape is not traced.
 void vtkIsosurfaceRayTraceMeshPart::FindPointsOfCell(std::int64_t number, vtkIdList* points) const
 {
-  if (!this->TracedCells.GetIds().empty())
+  if (this->TracedCells.MayBeParts())
   {
     this->GetGrid()->GetCellPoints(this->TracedCells.FindId(number), points);
     return;
@@ -300,6 +300,10 @@ bool vtkIsosurfaceRayTraceMeshPart::Update(int threads)
   }
   this->SelectPoints();
   this->SelectValues(threads);
+  if (this->MadeFrom->IsTetrahedralized)
+  {
+    this->TracedCells.Tetrahedralize(this->View, threads);
+  }
   this->Cells = std::make_unique<vtkirt::MeshCells>(this->View, threads);
   this->FindHiddenCells();
   this->Field = std::make_unique<vtkirt::MeshField>(*this->Cells, threads);
@@ -334,7 +338,7 @@ vtkIdType vtkIsosurfaceRayTraceMeshPart::FindCell(
 void vtkIsosurfaceRayTraceMeshPart::MoveToWholeCell(
   const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
 {
-  if (this->TracedCells.GetIds().empty())
+  if (!this->TracedCells.MayBeParts())
   {
     return;
   }

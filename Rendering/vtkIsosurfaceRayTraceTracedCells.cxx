@@ -11,21 +11,19 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetTriangleFilter.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "Mesh/MeshCells.h"
+#include "Mesh/Tetrahedralization.h"
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -45,6 +43,8 @@ static_assert(static_cast<int>(CellShape::Voxel) == VTK_VOXEL);
 static_assert(static_cast<int>(CellShape::Hexahedron) == VTK_HEXAHEDRON);
 static_assert(static_cast<int>(CellShape::Wedge) == VTK_WEDGE);
 static_assert(static_cast<int>(CellShape::Pyramid) == VTK_PYRAMID);
+
+constexpr std::int64_t MaximumCells = std::numeric_limits<std::uint32_t>::max();
 
 bool IsTraced(int shape)
 {
@@ -128,13 +128,17 @@ std::string vtkIsosurfaceRayTraceTracedCells::Select(vtkPointSet* grid, bool isT
   auto* structured = vtkStructuredGrid::SafeDownCast(grid);
   const std::string problem = structured
     ? this->SelectLattice(structured)
-    : this->SelectListed(
-        vtkUnstructuredGrid::SafeDownCast(grid), areAllRead || isTetrahedralized, threads, arrays);
-  if (problem.empty() && isTetrahedralized)
+    : this->SelectListed(vtkUnstructuredGrid::SafeDownCast(grid), areAllRead, threads, arrays);
+  if (!problem.empty() || !isTetrahedralized)
   {
-    this->Tetrahedralize(grid);
+    return problem;
   }
-  return problem;
+  const std::int64_t tetrahedra =
+    vtkirt::CountTetrahedra(vtkirt::MeshCells(this->View, threads), threads);
+  return tetrahedra <= MaximumCells
+    ? ""
+    : "The cells of the input are split into " + std::to_string(tetrahedra) +
+      " tetrahedra, more than 2^32 - 1. Give it in several pieces, or call TetrahedralizeOff.";
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +165,7 @@ std::string vtkIsosurfaceRayTraceTracedCells::SelectListed(
   vtkUnstructuredGrid* grid, bool areAllRead, int threads, vtkIsosurfaceRayTraceReadArrays& arrays)
 {
   const vtkIdType count = grid->GetNumberOfCells();
-  if (count > static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()))
+  if (count > MaximumCells)
   {
     return "The input has more than 2^32 - 1 cells. Give it in several pieces.";
   }
@@ -323,38 +327,19 @@ double vtkIsosurfaceRayTraceTracedCells::FindMean(
 }
 
 //------------------------------------------------------------------------------
-/// Replaces all cells by tetrahedra between their points, which agree on faces.
-void vtkIsosurfaceRayTraceTracedCells::Tetrahedralize(vtkPointSet* grid)
+void vtkIsosurfaceRayTraceTracedCells::Tetrahedralize(vtkirt::MeshView& view, int threads)
 {
-  auto copy = vtk::TakeSmartPointer(grid->NewInstance());
-  copy->CopyStructure(grid);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("ids");
-  ids->SetNumberOfValues(copy->GetNumberOfCells());
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues(), 0);
-  copy->GetCellData()->AddArray(ids);
-  vtkNew<vtkDataSetTriangleFilter> filter;
-  filter->SetInputData(copy);
-  filter->TetrahedraOnlyOn();
-  filter->Update();
-  vtkUnstructuredGrid* made = filter->GetOutput();
-  auto* idsOfMade = vtkIdTypeArray::SafeDownCast(made->GetCellData()->GetArray("ids"));
-  this->Shapes.clear();
-  this->Offsets = { 0 };
-  this->Connectivity.clear();
-  this->Ids.clear();
-  this->View.NumberOfPoints = this->CountPointsOfGrid();
-  this->Centers.clear();
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType i = 0; i < made->GetNumberOfCells(); ++i)
+  const vtkirt::MeshCells cells(view, threads);
+  if (vtkirt::AreAllTetrahedra(cells))
   {
-    made->GetCellPoints(i, corners);
-    this->Shapes.push_back(VTK_TETRA);
-    this->Connectivity.insert(this->Connectivity.end(), corners->begin(), corners->end());
-    this->Offsets.push_back(static_cast<std::int64_t>(this->Connectivity.size()));
-    this->Ids.push_back(idsOfMade->GetValue(i));
+    return;
   }
-  this->ViewOwn();
+  this->Tetrahedra.emplace(cells, threads);
+  this->Shapes = {};
+  this->Offsets = {};
+  this->Connectivity = {};
+  view = this->Tetrahedra->MakeView(view);
+  this->View = this->Tetrahedra->MakeView(this->View);
 }
 
 //------------------------------------------------------------------------------

@@ -11,10 +11,12 @@
 #include "vtkType.h"                       // for vtkIdType
 
 #include "Mesh/MeshView.h"
+#include "Mesh/Tetrahedralization.h"
 
-#include <cstdint> // for std::int64_t
-#include <string>  // for std::string
-#include <vector>  // for std::vector
+#include <cstdint>  // for std::int64_t
+#include <optional> // for ivars
+#include <string>   // for std::string
+#include <vector>   // for std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -32,23 +34,27 @@ public:
   /// Whether a grid has cells of three dimensions.
   static bool HasVolume(vtkDataSet* grid);
 
-  /// Finds the cells of a grid. Returns why there are none to trace; else empty. Those of all
-  /// shapes are checked if VTK itself reads them.
+  /// Finds the cells of a grid. Returns why they cannot be traced, or split into tetrahedra if that
+  /// is to follow; else empty. Those of all shapes are checked if VTK itself reads them.
   std::string Select(vtkPointSet* grid, bool isTetrahedralized, bool areAllRead, int threads,
     vtkIsosurfaceRayTraceReadArrays& arrays);
 
   /// The cells, and the number of points; no arrays of these.
   const vtkIsosurfaceRayTracing::MeshView& GetView() const { return this->View; }
 
+  /// Splits the cells into tetrahedra, given a view of the mesh with its points, and lists these in
+  /// it. Does nothing if all are tetrahedra.
+  void Tetrahedralize(vtkIsosurfaceRayTracing::MeshView& view, int threads);
+
+  /// Whether some cells may be parts of cells of the grid.
+  bool MayBeParts() const { return this->Tetrahedra.has_value() || !this->Ids.empty(); }
   /// The id in the grid of a cell, or of the one that it is a part of.
   vtkIdType FindId(std::int64_t cell) const
   {
-    return this->Ids.empty() ? cell : this->Ids[static_cast<std::size_t>(cell)];
+    const std::int64_t whole = this->Tetrahedra ? this->Tetrahedra->GetCell(cell) : cell;
+    return this->Ids.empty() ? whole : this->Ids[static_cast<std::size_t>(whole)];
   }
-  /// Those of all cells, if some may be parts of others; else none.
-  const std::vector<vtkIdType>& GetIds() const { return this->Ids; }
-  /// The shape of one of these.
-  int GetShape(std::int64_t cell) const { return this->Shapes[static_cast<std::size_t>(cell)]; }
+  int GetShape(std::int64_t cell) const { return static_cast<int>(this->View.GetShape(cell)); }
 
   ///@{
   /// Polyhedra may have their centre as one more point, after those of the grid: the mean of their
@@ -69,7 +75,6 @@ private:
   void ViewListed(vtkUnstructuredGrid* grid, vtkIsosurfaceRayTraceReadArrays& arrays);
   std::string Subdivide(vtkUnstructuredGrid* grid);
   void AddCenter(vtkIdList* points, vtkIdList* parts);
-  void Tetrahedralize(vtkPointSet* grid);
   void ViewOwn();
 
   vtkIsosurfaceRayTracing::MeshView View;
@@ -79,6 +84,8 @@ private:
   std::vector<std::int64_t> Offsets;
   std::vector<std::int64_t> Connectivity;
   std::vector<vtkIdType> Ids;
+  /// What all of these are split into, if they are.
+  std::optional<vtkIsosurfaceRayTracing::Tetrahedralization> Tetrahedra;
   /// The points of each polyhedron that has a centre.
   std::vector<std::vector<vtkIdType>> Centers;
   /// The first polyhedron whose hull is traced instead of it, or less than 0.

@@ -16,7 +16,6 @@ from vtkmodules.vtkCommonCore import (
     vtkCommand,
     vtkDoubleArray,
     vtkIdList,
-    vtkIdTypeArray,
     vtkPoints,
     vtkUnsignedCharArray,
 )
@@ -46,11 +45,11 @@ from vtkmodules.vtkCommonDataModel import (
     vtkDataSetAttributes,
     vtkGenericCell,
     vtkImageData,
+    vtkMultiBlockDataSet,
     vtkPolyData,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter
-from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -133,6 +132,29 @@ def make_uneven_cubes(value):
     return set_values(grid, value)
 
 
+def split_cells(grid):
+    """A grid of tetrahedra as TetrahedralizeOn is to make them, and the cell that each is of."""
+    split, cells = vtkUnstructuredGrid(), []
+    split.SetPoints(grid.GetPoints())
+    split.GetPointData().ShallowCopy(grid.GetPointData())
+    for i in range(grid.GetNumberOfCells()):
+        cell = grid.GetCell(i)
+        ids = [cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())]
+        apex = min(ids, key=grid.GetPoint)
+        tetrahedra = [] if len(ids) > 4 else [ids]
+        for k in range(cell.GetNumberOfFaces() if len(ids) > 4 else 0):
+            ids = cell.GetFace(k).GetPointIds()
+            face = [ids.GetId(m) for m in range(ids.GetNumberOfIds())]
+            first = face.index(min(face, key=grid.GetPoint))
+            face = face[first:] + face[:first]
+            if apex not in face:
+                tetrahedra += [[apex, face[0], face[m], face[m + 1]] for m in range(1, len(face) - 1)]
+        for tetrahedron in tetrahedra:
+            split.InsertNextCell(VTK_TETRA, 4, tetrahedron)
+            cells.append(i)
+    return split, cells
+
+
 def show(volume):
     """A window of 80 x 80 pixels, rendered, and its renderer."""
     window, renderer = vtkRenderWindow(), vtkRenderer()
@@ -173,38 +195,64 @@ class TestMeshMapper(unittest.TestCase):
         grids[1].GetCellData().AddArray(hidden)
         for grid in grids:
             with self.subTest(grid.GetCellType(0)):
-                ids = vtkIdTypeArray()
-                ids.SetName("ids")
-                for cell in range(grid.GetNumberOfCells()):
-                    ids.InsertNextValue(cell)
-                numbered = grid.NewInstance()
-                numbered.ShallowCopy(grid)
-                numbered.GetCellData().AddArray(ids)
-                split = vtkDataSetTriangleFilter()
-                split.SetInputData(numbered)
-                split.Update()
-                expected = cast(*make_volume(split.GetOutput(), 0.0), parallel_rays())
-                ids_of_split = split.GetOutput().GetCellData().GetArray("ids")
+                split, cell_of = split_cells(grid)
+                flags = grid.GetCellData().GetArray(hidden.GetName())
+                if flags:
+                    of_split = vtkUnsignedCharArray()
+                    of_split.SetName(hidden.GetName())
+                    for cell in cell_of:
+                        of_split.InsertNextValue(flags.GetValue(cell))
+                    split.GetCellData().AddArray(of_split)
+                expected = cast(*make_volume(split, 0.0), parallel_rays())
                 mapper, volume = make_volume(grid, 0.0)
                 of_cells = cast(mapper, volume, parallel_rays())
                 mapper.TetrahedralizeOn()
                 found = cast(mapper, volume, parallel_rays())
                 self.assertGreater(len(found), 40)
-                self.assertEqual(len(found), len(expected))
+                self.assertEqual([hit[:3] for hit in found], [(ray, t, cell_of[cell]) for ray, t, cell, _ in expected])
                 for hit, other in zip(found, expected):
-                    self.assertEqual(hit[0], other[0])
-                    # The filter rounds the points of structured grids.
-                    self.assertAlmostEqual(hit[1], other[1], delta=1e-6)
-                    self.assertEqual(hit[2], ids_of_split.GetValue(other[2]))
+                    # The gradients of cells are added in another order.
+                    self.assertLess(math.dist(hit[3], other[3]), 1e-14)
                 mapper.TetrahedralizeOff()
                 self.assertEqual(cast(mapper, volume, parallel_rays()), of_cells)
                 if grid.GetCellType(0) == VTK_TETRA:
-                    # From VTK 9.3 on, the filter orders their corners anew.
-                    self.assertEqual([(hit[0], hit[2]) for hit in found], [(hit[0], hit[2]) for hit in of_cells])
-                    for hit, other in zip(found, of_cells):
-                        self.assertAlmostEqual(hit[1], other[1], delta=1e-12)
+                    self.assertEqual(found, of_cells)
                 else:
                     self.assertNotEqual([hit[1] for hit in found], [hit[1] for hit in of_cells])
+
+    def test_pieces_are_split_as_the_whole(self):
+        """Though their points have other ids."""
+        grid = make_structured_grid(ball)
+        blocks = vtkMultiBlockDataSet()
+        for first in (0, 1):
+            piece, points = vtkUnstructuredGrid(), vtkPoints()
+            for i in range(first, grid.GetNumberOfCells(), 2):
+                of_cell = grid.GetCell(i).GetPoints()
+                # The last one first: they have other ids, and the points of neighbours are others.
+                ids = [points.InsertNextPoint(of_cell.GetPoint(k)) for k in reversed(range(8))]
+                piece.InsertNextCell(VTK_HEXAHEDRON, 8, ids[::-1])
+            piece.SetPoints(points)
+            blocks.SetBlock(first, set_values(piece, ball))
+        hits = []
+        for data in (grid, blocks):
+            mapper, volume = make_volume(data, 0.0)
+            of_cells = cast(mapper, volume, parallel_rays())
+            mapper.TetrahedralizeOn()
+            hits.append(cast(mapper, volume, parallel_rays()))
+            self.assertNotEqual([hit[1] for hit in hits[-1]], [hit[1] for hit in of_cells])
+        self.assertGreater(len(hits[0]), 40)
+        self.assertEqual(*([hit[0] for hit in some] for some in hits))
+        for hit, other in zip(*hits):
+            self.assertAlmostEqual(hit[1], other[1], delta=1e-13)
+
+    def test_concave_polyhedra_are_split_as_they_are(self):
+        star = [(math.cos(i * math.pi / 5) * (1 + i % 2), math.sin(i * math.pi / 5) * (1 + i % 2)) for i in range(10)]
+        mapper, volume = make_volume(make_prism(star, lambda point: point[2]), 0.5)
+        rays = [((0.1 * i, 0.1 * k, -1.0), (0.0, 0.0, 1.0)) for i in range(-20, 21) for k in range(-20, 21)]
+        whole = cast(mapper, volume, rays)
+        mapper.TetrahedralizeOn()
+        self.assertEqual([hit[:3] for hit in cast(mapper, volume, rays)], [hit[:3] for hit in whole])
+        self.assertTrue(400 < len(whole) < 1200)
 
     def test_voxels_are_hexahedra(self):
         grid = make_grid(VTK_HEXAHEDRON, ball)

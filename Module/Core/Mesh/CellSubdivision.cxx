@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <numeric>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -31,16 +30,10 @@ int FindFirst(const MeshCell& cell, const CellFace& face)
   return first;
 }
 
-void CopyCorner(const MeshCell& cell, int from, double (&to)[4])
-{
-  std::copy_n(cell.Points[from].begin(), 3, to);
-  to[3] = cell.Values[from];
-}
-
 }
 
 //------------------------------------------------------------------------------
-int SubdivideCell(const MeshCell& cell, double (*corners)[4][4])
+int SubdivideCell(const MeshCell& cell, int (*corners)[4])
 {
   int apex = 0;
   for (int i = 1; i < cell.Count; ++i)
@@ -59,37 +52,47 @@ int SubdivideCell(const MeshCell& cell, double (*corners)[4][4])
     const int first = FindFirst(cell, face);
     for (int k = 1; k + 1 < face.Count; ++k, ++count)
     {
-      CopyCorner(cell, apex, corners[count][0]);
-      CopyCorner(cell, face.Corners[first], corners[count][1]);
-      CopyCorner(cell, face.Corners[(first + k) % face.Count], corners[count][2]);
-      CopyCorner(cell, face.Corners[(first + k + 1) % face.Count], corners[count][3]);
+      corners[count][0] = apex;
+      corners[count][1] = face.Corners[first];
+      corners[count][2] = face.Corners[(first + k) % face.Count];
+      corners[count][3] = face.Corners[(first + k + 1) % face.Count];
     }
   }
   return count;
 }
 
 //------------------------------------------------------------------------------
+int SubdivideCell(const MeshCell& cell, double (*corners)[4][4])
+{
+  int numbers[MaximumTetrahedra][4];
+  const int tetrahedra = SubdivideCell(cell, numbers);
+  for (int i = 0; i < tetrahedra; ++i)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      std::copy_n(cell.Points[numbers[i][k]].begin(), 3, corners[i][k]);
+      corners[i][k][3] = cell.Values[numbers[i][k]];
+    }
+  }
+  return tetrahedra;
+}
+
+//------------------------------------------------------------------------------
 int SubdivideCell(const MeshCell& cell, const double (*numbers)[MaximumCorners], int count,
   double (*corners)[4][4], std::array<double, 4>* ofCorners)
 {
-  // The value of a corner is its place in the cell.
-  MeshCell placed = cell;
-  std::iota(placed.Values, placed.Values + cell.Count, 0.0);
-  const int tetrahedra = SubdivideCell(placed, corners);
+  int places[MaximumTetrahedra][4];
+  const int tetrahedra = SubdivideCell(cell, places);
   for (int i = 0; i < tetrahedra; ++i)
   {
-    std::array<double, 4> sorted[4];
+    std::sort(std::begin(places[i]), std::end(places[i]),
+      [&cell](int one, int other) { return IsBefore(cell, one, other); });
     for (int k = 0; k < 4; ++k)
     {
-      std::copy_n(corners[i][k], 4, sorted[k].begin());
-    }
-    std::sort(std::begin(sorted), std::end(sorted));
-    for (int k = 0; k < 4; ++k)
-    {
-      std::copy_n(sorted[k].begin(), 4, corners[i][k]);
+      std::copy_n(cell.Points[places[i][k]].begin(), 3, corners[i][k]);
       for (int number = 0; number < count; ++number)
       {
-        ofCorners[i * count + number][k] = numbers[number][static_cast<int>(sorted[k][3])];
+        ofCorners[i * count + number][k] = numbers[number][places[i][k]];
       }
     }
   }

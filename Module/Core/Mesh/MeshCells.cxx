@@ -243,6 +243,18 @@ std::int64_t FindCornersOfAll(const MeshView& view, int threads)
   return differences == 0 ? static_cast<std::int64_t>(corners) : 0;
 }
 
+/// How many corners a listed cell has, about.
+template <typename Id>
+std::int64_t FindMeanCorners(const MeshView& view)
+{
+  if (view.CornersOfAll != 0)
+  {
+    return view.CornersOfAll;
+  }
+  const std::int64_t length = static_cast<const Id*>(view.Offsets)[view.NumberOfCells];
+  return std::clamp<std::int64_t>(length / view.NumberOfCells, 0, MaximumCorners);
+}
+
 /// The shape that all listed cells have; 0 if there are several.
 unsigned char FindShapeOfAll(const MeshView& view)
 {
@@ -332,14 +344,14 @@ MeshCells::MeshCells(const MeshView& view, int threads)
   else if (view.NumberOfCells > 0)
   {
     const bool isShort = view.IdType == ScalarType::Int32;
-    this->View.CornersOfAll = isShort ? FindCornersOfAll<std::int32_t>(view, threads)
-                                      : FindCornersOfAll<std::int64_t>(view, threads);
-    this->View.ShapeOfAll = FindShapeOfAll(view);
-    const std::int64_t length = isShort
-      ? static_cast<const std::int32_t*>(view.Offsets)[view.NumberOfCells]
-      : static_cast<const std::int64_t*>(view.Offsets)[view.NumberOfCells];
-    this->BytesOfCell =
-      (isShort ? 4 : 8) * std::clamp<std::int64_t>(length / view.NumberOfCells, 0, MaximumCorners);
+    if (view.ShapeOfAll == 0)
+    {
+      this->View.CornersOfAll = isShort ? FindCornersOfAll<std::int32_t>(view, threads)
+                                        : FindCornersOfAll<std::int64_t>(view, threads);
+      this->View.ShapeOfAll = FindShapeOfAll(view);
+    }
+    this->BytesOfCell = isShort ? 4 * FindMeanCorners<std::int32_t>(this->View)
+                                : 8 * FindMeanCorners<std::int64_t>(this->View);
   }
   this->ReadIds =
     view.IdType == ScalarType::Int32 ? ReadListedIds<std::int32_t> : ReadListedIds<std::int64_t>;

@@ -55,7 +55,7 @@ struct MeshView
   ScalarType IdType = ScalarType::Int64;
   std::int64_t NumberOfCells = 0;
   /// If all listed cells have as many corners, how many; and if all have one shape, which: then the
-  /// offsets and the shapes are not read. MeshCells finds it.
+  /// offsets and the shapes are not read, and may be null. MeshCells finds both if they are 0.
   std::int64_t CornersOfAll = 0;
   unsigned char ShapeOfAll = 0;
 
