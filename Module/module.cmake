@@ -64,6 +64,7 @@ set(private_classes
   Rendering/vtkIsosurfaceRayTraceSelection
   Rendering/vtkIsosurfaceRayTraceSnapshot
   Rendering/vtkIsosurfaceRayTraceSource
+  Rendering/vtkIsosurfaceRayTraceSubdividedCells
   Rendering/vtkIsosurfaceRayTraceSubdivision
   Rendering/vtkIsosurfaceRayTraceTracedCells
   Rendering/vtkIsosurfaceRayTraceUse

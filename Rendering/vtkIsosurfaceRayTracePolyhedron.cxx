@@ -2,33 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceRayTracePolyhedron.h"
 
-#include "vtkCell.h"
 #include "vtkIdList.h"
 #include "vtkPoints.h"
 #include "vtkPolygon.h"
-#include "vtkTetra.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
+namespace vtkirt = vtkIsosurfaceRayTracing;
+
+// Operators of a std::array are not found by themselves.
+using vtkirt::operator+;
+using vtkirt::operator-;
+using vtkirt::operator*;
+
 namespace
 {
 
-std::array<double, 3> FindMean(vtkPoints* points)
+vtkirt::Vector3 FindMean(vtkPoints* points, vtkIdList* ids)
 {
-  std::array<double, 3> mean = { 0.0, 0.0, 0.0 };
-  const vtkIdType count = points->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < count; ++i)
+  vtkirt::Vector3 mean = { 0.0, 0.0, 0.0 };
+  for (const vtkIdType id : *ids)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      mean[axis] += points->GetPoint(i)[axis] / static_cast<double>(count);
-    }
+    vtkirt::Vector3 point;
+    points->GetPoint(id, point.data());
+    mean = mean + point * (1.0 / static_cast<double>(ids->GetNumberOfIds()));
   }
   return mean;
 }
@@ -42,15 +43,18 @@ vtkIsosurfaceRayTracePolyhedron::vtkIsosurfaceRayTracePolyhedron() = default;
 vtkIsosurfaceRayTracePolyhedron::~vtkIsosurfaceRayTracePolyhedron() = default;
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTracePolyhedron::Divide(vtkCell* cell, vtkIdList* ids)
+bool vtkIsosurfaceRayTracePolyhedron::Divide(
+  vtkPoints* points, vtkIdList* ofCell, vtkIdList* faces, vtkIdList* ids)
 {
   this->Triangles.clear();
-  std::array<double, 3> center = FindMean(cell->GetPoints());
-  for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+  const Vector3 center = FindMean(points, ofCell);
+  const vtkIdType* face = faces->GetPointer(1);
+  for (vtkIdType left = faces->GetId(0); left > 0; --left)
   {
-    this->CopyFace(cell->GetFace(i));
-    this->CutFace();
-    this->AddTriangles(center.data());
+    const auto count = static_cast<std::size_t>(*face);
+    this->LoadFace(points, face + 1, count);
+    this->CutFace(center);
+    face += 1 + count;
   }
   this->TurnTriangles();
   ids->Reset();
@@ -63,7 +67,7 @@ bool vtkIsosurfaceRayTracePolyhedron::Divide(vtkCell* cell, vtkIdList* ids)
     {
       ids->InsertNextId(corner);
     }
-    (triangle.Volume < 0.0 ? outside : inside) += std::abs(triangle.Volume);
+    (triangle.Sign * triangle.Volume < 0.0 ? outside : inside) += std::abs(triangle.Volume);
   }
   this->Volume = inside + outside;
   // Points are rounded.
@@ -72,56 +76,132 @@ bool vtkIsosurfaceRayTracePolyhedron::Divide(vtkCell* cell, vtkIdList* ids)
 }
 
 //------------------------------------------------------------------------------
-/// From the point with the least id on, towards that of its neighbours with the lesser id.
-void vtkIsosurfaceRayTracePolyhedron::CopyFace(vtkCell* face)
+/// From the first point on, towards the first one of its neighbours.
+void vtkIsosurfaceRayTracePolyhedron::LoadFace(
+  vtkPoints* points, const vtkIdType* ids, std::size_t count)
 {
-  const vtkIdType* ids = face->GetPointIds()->GetPointer(0);
-  const vtkIdType count = face->GetNumberOfPoints();
-  const vtkIdType first = std::min_element(ids, ids + count) - ids;
-  const bool isReversed = ids[(first + count - 1) % count] < ids[(first + 1) % count];
-  this->Face->GetPointIds()->SetNumberOfIds(count);
-  this->Face->GetPoints()->SetNumberOfPoints(count);
-  for (vtkIdType i = 0; i < count; ++i)
+  this->Face.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const vtkIdType from = (first + (isReversed ? count - i : i)) % count;
-    this->Face->GetPointIds()->SetId(i, ids[from]);
-    this->Face->GetPoints()->SetPoint(i, face->GetPoints()->GetPoint(from));
+    points->GetPoint(ids[i], this->Face[i].Place.data());
+    this->Face[i].Id = ids[i];
+  }
+  const auto isBefore = [](const Corner& one, const Corner& other)
+  { return one.Place < other.Place; };
+  std::rotate(this->Face.begin(), std::min_element(this->Face.begin(), this->Face.end(), isBefore),
+    this->Face.end());
+  if (isBefore(this->Face.back(), this->Face[1]))
+  {
+    std::reverse(this->Face.begin() + 1, this->Face.end());
   }
 }
 
 //------------------------------------------------------------------------------
-/// Cuts a face into triangles: from its first point where VTK does not, as where it has no area.
-void vtkIsosurfaceRayTracePolyhedron::CutFace()
+/// Whether all triangles between the first point of the face and its edges run the same way.
+bool vtkIsosurfaceRayTracePolyhedron::IsSeenFromFirst() const
 {
-  if (this->Face->EarCutTriangulation(this->Cut) != 0)
+  const auto getNormal = [this](std::size_t i)
   {
+    const Vector3& first = this->Face[0].Place;
+    return vtkirt::Cross(this->Face[i].Place - first, this->Face[i + 1].Place - first);
+  };
+  const std::size_t last = this->Face.size() - 1;
+  Vector3 sum = { 0.0, 0.0, 0.0 };
+  for (std::size_t i = 1; i < last; ++i)
+  {
+    sum = sum + getNormal(i);
+  }
+  std::size_t i = 1;
+  while (i < last && vtkirt::Dot(getNormal(i), sum) >= 0.0)
+  {
+    ++i;
+  }
+  return i >= last;
+}
+
+//------------------------------------------------------------------------------
+/// Cuts the face into triangles.
+void vtkIsosurfaceRayTracePolyhedron::CutFace(const Vector3& center)
+{
+  if (this->Face.size() > 3 && !this->IsSeenFromFirst())
+  {
+    this->CutConcaveFace(center);
     return;
   }
-  this->Cut->Reset();
-  for (vtkIdType i = 1; i + 1 < this->Face->GetNumberOfPoints(); ++i)
+  for (std::size_t i = 1; i + 1 < this->Face.size(); ++i)
   {
-    for (const vtkIdType corner : { vtkIdType(0), i, i + 1 })
-    {
-      this->Cut->InsertNextId(corner);
-    }
+    this->AddTriangle(center, 0, i, i + 1);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Adds the triangles of a face.
-void vtkIsosurfaceRayTracePolyhedron::AddTriangles(double center[3])
+/// Cuts it from its first point, too, where VTK does not cut it.
+void vtkIsosurfaceRayTracePolyhedron::CutConcaveFace(const Vector3& center)
 {
+  const auto count = static_cast<vtkIdType>(this->Face.size());
+  this->Polygon->GetPointIds()->SetNumberOfIds(count);
+  this->Polygon->GetPoints()->SetNumberOfPoints(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const Corner& corner = this->Face[static_cast<std::size_t>(i)];
+    this->Polygon->GetPointIds()->SetId(i, corner.Id);
+    this->Polygon->GetPoints()->SetPoint(i, corner.Place.data());
+  }
+  if (this->Polygon->EarCutTriangulation(this->Cut) == 0)
+  {
+    this->Cut->Reset();
+    for (vtkIdType i = 1; i + 1 < count; ++i)
+    {
+      for (const vtkIdType corner : { vtkIdType(0), i, i + 1 })
+      {
+        this->Cut->InsertNextId(corner);
+      }
+    }
+  }
   for (vtkIdType i = 0; i + 3 <= this->Cut->GetNumberOfIds(); i += 3)
   {
-    Triangle& triangle = this->Triangles.emplace_back();
-    double points[3][3];
+    const auto get = [&](vtkIdType k) { return static_cast<std::size_t>(this->Cut->GetId(i + k)); };
+    this->AddTriangle(center, get(0), get(1), get(2));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds a triangle of the face, given the numbers of its corners.
+void vtkIsosurfaceRayTracePolyhedron::AddTriangle(
+  const Vector3& center, std::size_t a, std::size_t b, std::size_t c)
+{
+  const Corner* corners = this->Face.data();
+  const Vector3 normal =
+    vtkirt::Cross(corners[b].Place - corners[a].Place, corners[c].Place - corners[a].Place);
+  this->Triangles.push_back({ { corners[a].Id, corners[b].Id, corners[c].Id },
+    vtkirt::Dot(normal, corners[a].Place - center) / 6.0 });
+}
+
+//------------------------------------------------------------------------------
+/// Finds which edges are the same.
+void vtkIsosurfaceRayTracePolyhedron::SortEdges()
+{
+  this->Edges.clear();
+  for (const Triangle& triangle : this->Triangles)
+  {
     for (int k = 0; k < 3; ++k)
     {
-      const vtkIdType corner = this->Cut->GetId(i + k);
-      triangle.Corners[k] = this->Face->GetPointId(static_cast<int>(corner));
-      this->Face->GetPoints()->GetPoint(corner, points[k]);
+      const auto [less, greater] =
+        std::minmax({ triangle.Corners[k], triangle.Corners[(k + 1) % 3] });
+      this->Edges.push_back({ less, greater, this->Edges.size() });
     }
-    triangle.Volume = vtkTetra::ComputeVolume(center, points[0], points[1], points[2]);
+  }
+  std::sort(this->Edges.begin(), this->Edges.end());
+  this->NextOfEdge.resize(this->Edges.size());
+  for (auto begin = this->Edges.begin(); begin != this->Edges.end();)
+  {
+    auto last = begin;
+    for (; last + 1 != this->Edges.end() && last[1].IsSame(*begin); ++last)
+    {
+      this->NextOfEdge[last->Number] = last[1].Number;
+    }
+    this->NextOfEdge[last->Number] = begin->Number;
+    begin = last + 1;
   }
 }
 
@@ -130,30 +210,25 @@ void vtkIsosurfaceRayTracePolyhedron::AddTriangles(double center[3])
 /// other. (Those of faces in files run as they like.)
 void vtkIsosurfaceRayTracePolyhedron::TurnTriangles()
 {
-  std::map<std::pair<vtkIdType, vtkIdType>, std::vector<std::size_t>> ofEdges;
-  for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+  this->SortEdges();
+  this->AreKnown.assign(this->Triangles.size(), false);
+  this->Waiting.assign(std::min<std::size_t>(1, this->Triangles.size()), 0);
+  while (!this->Waiting.empty())
   {
-    for (int k = 0; k < 3; ++k)
+    const std::size_t number = this->Waiting.back();
+    this->AreKnown[number] = true;
+    this->Waiting.pop_back();
+    for (std::size_t own = 3 * number; own < 3 * number + 3; ++own)
     {
-      ofEdges[std::minmax(this->Triangles[i].Get(k), this->Triangles[i].Get(k + 1))].push_back(i);
-    }
-  }
-  std::vector<bool> isTurned(this->Triangles.size(), false);
-  std::vector<std::size_t> waiting(std::min<std::size_t>(1, this->Triangles.size()), 0);
-  while (!waiting.empty())
-  {
-    const Triangle triangle = this->Triangles[waiting.back()];
-    isTurned[waiting.back()] = true;
-    waiting.pop_back();
-    for (int k = 0; k < 3; ++k)
-    {
-      for (const std::size_t other : ofEdges[std::minmax(triangle.Get(k), triangle.Get(k + 1))])
+      // Those that are the same follow each other in a circle.
+      for (std::size_t edge = this->NextOfEdge[own]; edge != own; edge = this->NextOfEdge[edge])
       {
-        if (!isTurned[other])
+        const std::size_t other = edge / 3;
+        if (!this->AreKnown[other])
         {
-          isTurned[other] = true;
-          this->Triangles[other].TurnAgainst(triangle.Get(k), triangle.Get(k + 1));
-          waiting.push_back(other);
+          this->AreKnown[other] = true;
+          this->TurnAgainst(own, edge);
+          this->Waiting.push_back(other);
         }
       }
     }
@@ -161,18 +236,13 @@ void vtkIsosurfaceRayTracePolyhedron::TurnTriangles()
 }
 
 //------------------------------------------------------------------------------
-/// Turns it if it runs along an edge.
-void vtkIsosurfaceRayTracePolyhedron::Triangle::TurnAgainst(vtkIdType first, vtkIdType second)
+/// Turns the triangle of the second edge, if both run along the edge.
+void vtkIsosurfaceRayTracePolyhedron::TurnAgainst(std::size_t one, std::size_t edge)
 {
-  for (int k = 0; k < 3; ++k)
-  {
-    if (this->Get(k) == first && this->Get(k + 1) == second)
-    {
-      std::swap(this->Corners[0], this->Corners[1]);
-      this->Volume = -this->Volume;
-      return;
-    }
-  }
+  const Triangle& first = this->Triangles[one / 3];
+  Triangle& second = this->Triangles[edge / 3];
+  const bool areSame = first.Corners[one % 3] == second.Corners[edge % 3];
+  second.Sign = areSame ? -first.Sign : first.Sign;
 }
 
 VTK_ABI_NAMESPACE_END

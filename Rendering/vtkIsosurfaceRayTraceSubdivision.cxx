@@ -12,10 +12,13 @@
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkTetra.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <random>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -150,17 +153,55 @@ const int* FindOrder(vtkCell* cell)
   return wedge ? wedge->GetOrder() : nullptr;
 }
 
-/// Whether all faces have an area, but for the places of their points.
-bool HasFaces(vtkCell* cell)
+/// Whether a list of faces, as in vtkUnstructuredGrid::GetFaceStream, has faces of at least three
+/// points each, and these are of a grid.
+bool AreFaces(vtkIdList* faces, vtkIdType points)
 {
-  for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+  const vtkIdType count = faces->GetNumberOfIds();
+  vtkIdType left = count > 0 ? faces->GetId(0) : -1;
+  vtkIdType next = 1;
+  for (; left > 0 && next < count; --left)
   {
-    if (cell->GetFace(i)->GetNumberOfPoints() < 3)
+    const vtkIdType size = faces->GetId(next);
+    const vtkIdType* first = faces->GetPointer(next) + 1;
+    if (size < 3 || size >= count - next ||
+      !std::all_of(first, first + size, [points](vtkIdType id) { return id >= 0 && id < points; }))
     {
       return false;
     }
+    next += 1 + size;
   }
-  return true;
+  return left == 0;
+}
+
+/// Whether VTK cuts cells of a type alike, whatever the places and the ids of their points are, as
+/// it cut the reference: some cells at random tell.
+bool AreCutAlike(vtkCell* cell, vtkIdList* ofReference)
+{
+  const auto count = static_cast<std::size_t>(cell->GetNumberOfPoints());
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> move(-0.2, 0.2);
+  std::vector<vtkIdType> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> corners;
+  bool areAlike = true;
+  for (int tries = 0; tries < 10 && areAlike; ++tries)
+  {
+    std::shuffle(numbers.begin(), numbers.end(), random);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double* place = cell->GetParametricCoords() + 3 * i;
+      cell->GetPoints()->SetPoint(static_cast<vtkIdType>(i), place[0] + move(random),
+        place[1] + move(random), place[2] + move(random));
+      cell->GetPointIds()->SetId(static_cast<vtkIdType>(i), numbers[i]);
+    }
+    cell->Triangulate(0, ids, corners);
+    areAlike = std::equal(ids->begin(), ids->end(), ofReference->begin(), ofReference->end(),
+      [&](vtkIdType id, vtkIdType number)
+      { return id == numbers[static_cast<std::size_t>(number)]; });
+  }
+  return areAlike;
 }
 
 /// Finds tetrahedra between the point with the least id and the faces without it, which are cut
@@ -203,7 +244,10 @@ vtkIsosurfaceRayTraceSubdivision::vtkIsosurfaceRayTraceSubdivision(int type)
   {
     const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
     this->Points = cell->GetNumberOfPoints();
-    this->ChooseWay(cell);
+    if (!this->IsPrism && !this->IsTriangulatedByPoints)
+    {
+      this->ChooseWay(cell);
+    }
   }
 }
 
@@ -229,11 +273,14 @@ void vtkIsosurfaceRayTraceSubdivision::ChooseWay(vtkCell* reference)
   constexpr double rounding = 1e-9;
   if (FindVolume(this->Corners) >= (1.0 - rounding) * volume)
   {
+    this->AreAlike = AreCutAlike(reference, ids);
+    this->Parts.assign(ids->begin(), this->AreAlike ? ids->end() : ids->begin());
     return;
   }
   this->IsTriangulatedByPoints = !this->DivideLattice(reference, VTK_HEXAHEDRON, { 2, 2, 2 }) &&
     !this->DivideLattice(reference, VTK_WEDGE, { 2, 2, 2 }) &&
     !this->DivideLattice(reference, VTK_WEDGE, { 2, 2, 1 });
+  this->AreAlike = !this->IsTriangulatedByPoints;
 }
 
 //------------------------------------------------------------------------------
@@ -272,26 +319,43 @@ void vtkIsosurfaceRayTraceSubdivision::DivideByOrder(vtkCell* cell, const int* o
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsosurfaceRayTraceSubdivision::FindParts(vtkGenericCell* cell, vtkIdList* ids)
+bool vtkIsosurfaceRayTraceSubdivision::FindParts(
+  vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* points, vtkIdList* ids)
 {
   ids->Reset();
+  if (!this->MayHave(points->GetNumberOfIds()))
+  {
+    return false;
+  }
+  if (this->IsPolyhedron)
+  {
+    return this->DividePolyhedron(grid, cell, points, ids);
+  }
+  if (!this->AreAlike)
+  {
+    grid->GetCell(cell, this->Cell);
+    if (!this->DivideCell(this->Cell, ids))
+    {
+      return false;
+    }
+  }
+  for (const vtkIdType number : this->Parts)
+  {
+    ids->InsertNextId(points->GetId(number));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Finds the corners of the parts of a cell, or, if its order tells them, their numbers.
+bool vtkIsosurfaceRayTraceSubdivision::DivideCell(vtkGenericCell* cell, vtkIdList* ids)
+{
   if (const int* order = FindOrder(cell->GetRepresentativeCell()))
   {
     this->DivideByOrder(cell, order);
-    if (this->Parts.empty())
-    {
-      return false;
-    }
+    return !this->Parts.empty();
   }
-  else if (this->IsPolyhedron)
-  {
-    if (!HasFaces(cell))
-    {
-      return false;
-    }
-    this->DividePolyhedron(cell, ids);
-  }
-  else if (this->IsPrism)
+  if (this->IsPrism)
   {
     TriangulateFaces(cell, ids);
   }
@@ -299,30 +363,34 @@ bool vtkIsosurfaceRayTraceSubdivision::FindParts(vtkGenericCell* cell, vtkIdList
   {
     this->TriangulatePoints(cell, ids);
   }
-  else if (this->Parts.empty() && cell->Triangulate(0, ids, this->Corners) == 0)
+  else if (cell->Triangulate(0, ids, this->Corners) == 0)
   {
     ids->Reset();
-  }
-  for (const vtkIdType point : this->Parts)
-  {
-    ids->InsertNextId(cell->GetPointId(static_cast<int>(point)));
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
 /// Where parts overlap, takes those of the hull. It is the cell where just the faces do not fit.
-void vtkIsosurfaceRayTraceSubdivision::DividePolyhedron(vtkCell* cell, vtkIdList* ids)
+bool vtkIsosurfaceRayTraceSubdivision::DividePolyhedron(
+  vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* points, vtkIdList* ids)
 {
-  this->HasHull = false;
-  if (this->Polyhedron.Divide(cell, ids))
+  grid->GetFaceStream(cell, this->Faces);
+  if (!AreFaces(this->Faces, grid->GetNumberOfPoints()))
   {
-    return;
+    return false;
   }
-  cell->Triangulate(0, ids, this->Corners);
+  this->HasHull = false;
+  if (this->Polyhedron.Divide(grid->GetPoints(), points, this->Faces, ids))
+  {
+    return true;
+  }
+  grid->GetCell(cell, this->Cell);
+  this->Cell->Triangulate(0, ids, this->Corners);
   constexpr double rounding = 1e-6;
   const double volume = this->Polyhedron.GetVolume();
   this->HasHull = std::abs(FindVolume(this->Corners) - volume) > rounding * volume;
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Cells of a type that is not traced, in parts that are: the tetrahedra of vtkCell::Triangulate, if
-// they fill the cell and cut faces as those of its neighbours do. Those of VTK 9.1 do not fill
-// VTK_TRIQUADRATIC_HEXAHEDRON and some others, and those of Lagrange and Bezier hexahedra and
-// wedges cut faces otherwise. These are divided as VTK contours them, into hexahedra or wedges
-// between neighbouring points (of Bezier cells, control points); where a point in the middle is
-// missing, VTK_QUADRATIC_PYRAMID, and VTK_CONVEX_POINT_SET, into the tetrahedra of
-// vtkOrderedTriangulator, which vtkDataSetTriangleFilter makes. Prisms are cut by the ids of their
-// points.
+// they fill the cell and cut faces as those of its neighbours do; they are asked for once if they
+// do not depend on the cell. Those of VTK 9.1 do not fill VTK_TRIQUADRATIC_HEXAHEDRON and some
+// others, and those of Lagrange and Bezier hexahedra and wedges cut faces otherwise. These are
+// divided as VTK contours them, into hexahedra or wedges between neighbouring points (of Bezier
+// cells, control points); where a point in the middle is missing, VTK_QUADRATIC_PYRAMID, and
+// VTK_CONVEX_POINT_SET, into the tetrahedra of vtkOrderedTriangulator, which
+// vtkDataSetTriangleFilter makes. Prisms are cut by the ids of their points.
 
 #ifndef vtkIsosurfaceRayTraceSubdivision_h
 #define vtkIsosurfaceRayTraceSubdivision_h
@@ -28,6 +28,7 @@ class vtkGenericCell;
 class vtkIdList;
 class vtkOrderedTriangulator;
 class vtkPoints;
+class vtkUnstructuredGrid;
 
 class vtkIsosurfaceRayTraceSubdivision
 {
@@ -43,13 +44,11 @@ public:
   bool IsSolid() const { return this->HasVolume; }
   ///@}
 
-  /// Whether a cell may have so many points.
-  bool MayHave(vtkIdType points) const { return this->Points == 0 || this->Points == points; }
-
-  /// Finds the ids of the points of the parts of a cell, one part after the other. Returns false if
-  /// the number of points is not that of the order of the cell, or a face of a polyhedron has fewer
-  /// than three. The centre of a polyhedron is vtkIsosurfaceRayTracePolyhedron::Center.
-  bool FindParts(vtkGenericCell* cell, vtkIdList* ids);
+  /// Finds the ids of the corners of the parts of a cell, one part after the other, given those of
+  /// its points. Returns false if the number of points is not that of the type, or of the order of
+  /// the cell, or a face of a polyhedron has fewer than three, or others than the grid. The centre
+  /// of a polyhedron is vtkIsosurfaceRayTracePolyhedron::Center.
+  bool FindParts(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* points, vtkIdList* ids);
 
   /// Whether the parts of the last cell are those of the convex hull of a cell that is not convex.
   bool IsHull() const { return this->HasHull; }
@@ -60,9 +59,12 @@ public:
 
 private:
   void ChooseWay(vtkCell* reference);
+  bool MayHave(vtkIdType points) const { return this->Points == 0 || this->Points == points; }
   bool DivideLattice(vtkCell* cell, int type, const std::array<int, 3>& order);
   void DivideByOrder(vtkCell* cell, const int* order);
-  void DividePolyhedron(vtkCell* cell, vtkIdList* ids);
+  bool DividePolyhedron(
+    vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* points, vtkIdList* ids);
+  bool DivideCell(vtkGenericCell* cell, vtkIdList* ids);
   void TriangulatePoints(vtkCell* cell, vtkIdList* ids);
 
   bool HasVolume;
@@ -74,11 +76,17 @@ private:
   bool HasHull = false;
   bool IsPrism = false;
   bool IsTriangulatedByPoints = false;
-  /// The points of hexahedra or wedges.
+  /// Whether all cells have the same parts.
+  bool AreAlike = false;
+  /// Of all cells, or of those of the last order: the numbers within the cell of the corners of the
+  /// parts.
   std::vector<vtkIdType> Parts;
   /// That of the last cell, and its number of points, where cells of a type have any order.
   std::array<int, 4> Order = {};
   vtkIsosurfaceRayTracePolyhedron Polyhedron;
+  /// The cell, if its type makes a difference, and the faces of a polyhedron.
+  vtkNew<vtkGenericCell> Cell;
+  vtkNew<vtkIdList> Faces;
   vtkNew<vtkOrderedTriangulator> Triangulator;
   vtkNew<vtkPoints> Corners;
 };

@@ -3,18 +3,12 @@
 #include "vtkIsosurfaceRayTraceTracedCells.h"
 
 #include "vtkIsosurfaceRayTraceGridLists.h"
-#include "vtkIsosurfaceRayTracePolyhedron.h"
 #include "vtkIsosurfaceRayTraceReadArrays.h"
 #include "vtkIsosurfaceRayTraceSubdivision.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkGenericCell.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -23,9 +17,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <optional>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -185,7 +177,7 @@ std::string vtkIsosurfaceRayTraceTracedCells::SelectListed(
     areSubdivided || areAllRead ? vtkirt::CheckedCells::All : vtkirt::CheckedCells::Traced;
   const std::string problem = vtkirt::FindProblem(
     this->View, grid->GetCells()->GetConnectivityArray()->GetNumberOfValues(), threads, checked);
-  return problem.empty() && areSubdivided ? this->Subdivide(grid) : problem;
+  return problem.empty() && areSubdivided ? this->Subdivide(grid, threads) : problem;
 }
 
 //------------------------------------------------------------------------------
@@ -221,78 +213,17 @@ void vtkIsosurfaceRayTraceTracedCells::ViewListed(
 
 //------------------------------------------------------------------------------
 /// Divides quadratic cells, polyhedra and others.
-std::string vtkIsosurfaceRayTraceTracedCells::Subdivide(vtkUnstructuredGrid* grid)
+std::string vtkIsosurfaceRayTraceTracedCells::Subdivide(vtkUnstructuredGrid* grid, int threads)
 {
-  std::vector<unsigned char> shapes;
-  std::vector<std::int64_t> offsets = { 0 };
-  std::vector<std::int64_t> connectivity;
-  const auto add = [&](int shape, vtkIdList* ids, vtkIdType first, vtkIdType count, vtkIdType cell)
-  {
-    shapes.push_back(static_cast<unsigned char>(shape));
-    for (vtkIdType i = first; i < first + count; ++i)
-    {
-      connectivity.push_back(ids->GetId(i));
-    }
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-    this->Ids.push_back(cell);
-  };
-  std::map<int, vtkIsosurfaceRayTraceSubdivision> types;
-  vtkNew<vtkGenericCell> generic;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
-  {
-    const int shape = this->View.Shapes[i];
-    if (IsTraced(shape))
-    {
-      grid->GetCellPoints(i, ids);
-      add(shape, ids, 0, ids->GetNumberOfIds(), i);
-      continue;
-    }
-    vtkIsosurfaceRayTraceSubdivision& type = types.try_emplace(shape, shape).first->second;
-    if (!type.IsSolid())
-    {
-      continue;
-    }
-    grid->GetCellPoints(i, ids);
-    const bool mayHave = type.MayHave(ids->GetNumberOfIds());
-    if (mayHave)
-    {
-      grid->GetCell(i, generic);
-    }
-    if (!mayHave || !type.FindParts(generic, ids))
-    {
-      return "Cell " + std::to_string(i) + " has a wrong number of points, or a face of it has.";
-    }
-    this->AddCenter(generic->GetPointIds(), ids);
-    if (this->FirstHull < 0 && type.IsHull())
-    {
-      this->FirstHull = i;
-    }
-    const vtkIdType size = type.GetPartSize();
-    for (vtkIdType first = 0; first + size <= ids->GetNumberOfIds(); first += size)
-    {
-      add(type.GetPartType(), ids, first, size, i);
-    }
-  }
-  this->Shapes = std::move(shapes);
-  this->Offsets = std::move(offsets);
-  this->Connectivity = std::move(connectivity);
-  this->ViewOwn();
-  return "";
-}
-
-//------------------------------------------------------------------------------
-/// Gives the centre of a polyhedron an id, if its parts have it as a corner.
-void vtkIsosurfaceRayTraceTracedCells::AddCenter(vtkIdList* points, vtkIdList* parts)
-{
-  constexpr vtkIdType center = vtkIsosurfaceRayTracePolyhedron::Center;
-  if (std::find(parts->begin(), parts->end(), center) != parts->end())
-  {
-    std::replace(
-      parts->begin(), parts->end(), center, static_cast<vtkIdType>(this->View.NumberOfPoints));
-    this->Centers.emplace_back(points->begin(), points->end());
-    ++this->View.NumberOfPoints;
-  }
+  this->Parts.emplace();
+  const std::string problem = this->Parts->Subdivide(grid, threads);
+  this->View.NumberOfPoints += static_cast<std::int64_t>(this->Parts->Centers.size());
+  this->View.NumberOfCells = static_cast<std::int64_t>(this->Parts->Shapes.size());
+  this->View.Shapes = this->Parts->Shapes.data();
+  this->View.IdType = vtkirt::ScalarType::Int64;
+  this->View.Offsets = this->Parts->Offsets.data();
+  this->View.Connectivity = this->Parts->Connectivity.data();
+  return problem;
 }
 
 //------------------------------------------------------------------------------
@@ -302,7 +233,7 @@ void vtkIsosurfaceRayTraceTracedCells::AddMeans(vtkDataArray* array) const
   const int components = array->GetNumberOfComponents();
   std::vector<double> mean(static_cast<std::size_t>(components));
   vtkIdType center = this->CountPointsOfGrid();
-  for (const std::vector<vtkIdType>& points : this->Centers)
+  for (const std::vector<vtkIdType>& points : this->Parts->Centers)
   {
     for (int i = 0; i < components; ++i)
     {
@@ -315,15 +246,16 @@ void vtkIsosurfaceRayTraceTracedCells::AddMeans(vtkDataArray* array) const
 //------------------------------------------------------------------------------
 std::int64_t vtkIsosurfaceRayTraceTracedCells::CountPointsOfGrid() const
 {
-  return this->View.NumberOfPoints - static_cast<std::int64_t>(this->Centers.size());
+  return this->View.NumberOfPoints -
+    (this->Parts ? static_cast<std::int64_t>(this->Parts->Centers.size()) : 0);
 }
 
 //------------------------------------------------------------------------------
 double vtkIsosurfaceRayTraceTracedCells::FindMean(
   std::int64_t center, vtkDataArray* array, int component) const
 {
-  return MeanOf(
-    array, this->Centers[static_cast<std::size_t>(center - this->CountPointsOfGrid())], component);
+  const auto number = static_cast<std::size_t>(center - this->CountPointsOfGrid());
+  return MeanOf(array, this->Parts->Centers[number], component);
 }
 
 //------------------------------------------------------------------------------
@@ -335,30 +267,24 @@ void vtkIsosurfaceRayTraceTracedCells::Tetrahedralize(vtkirt::MeshView& view, in
     return;
   }
   this->Tetrahedra.emplace(cells, threads);
-  this->Shapes = {};
   this->Offsets = {};
   this->Connectivity = {};
+  if (this->Parts)
+  {
+    this->Parts->Shapes = {};
+    this->Parts->Offsets = {};
+    this->Parts->Connectivity = {};
+  }
   view = this->Tetrahedra->MakeView(view);
   this->View = this->Tetrahedra->MakeView(this->View);
 }
 
 //------------------------------------------------------------------------------
-/// Lists the cells that are kept here.
-void vtkIsosurfaceRayTraceTracedCells::ViewOwn()
-{
-  this->View.Dimensions = { 0, 0, 0 };
-  this->View.NumberOfCells = static_cast<std::int64_t>(this->Shapes.size());
-  this->View.Shapes = this->Shapes.data();
-  this->View.IdType = vtkirt::ScalarType::Int64;
-  this->View.Offsets = this->Offsets.data();
-  this->View.Connectivity = this->Connectivity.data();
-}
-
-//------------------------------------------------------------------------------
 std::string vtkIsosurfaceRayTraceTracedCells::GetWarning() const
 {
-  return this->FirstHull < 0 ? ""
-                             : "Cell " + std::to_string(this->FirstHull) +
+  return !this->Parts || this->Parts->FirstHull < 0
+    ? ""
+    : "Cell " + std::to_string(this->Parts->FirstHull) +
       " is a polyhedron that is not convex, and not all of it is seen from its centre. It is drawn "
       "as its convex hull, and so are others like it. Divide them into convex cells.";
 }

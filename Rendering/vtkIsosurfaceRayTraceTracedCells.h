@@ -7,8 +7,9 @@
 #ifndef vtkIsosurfaceRayTraceTracedCells_h
 #define vtkIsosurfaceRayTraceTracedCells_h
 
-#include "vtkIsosurfaceRayTracingCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
-#include "vtkType.h"                       // for vtkIdType
+#include "vtkIsosurfaceRayTraceSubdividedCells.h" // for ivars
+#include "vtkIsosurfaceRayTracingCompat.h"        // for VTK_ABI_NAMESPACE_BEGIN
+#include "vtkType.h"                              // for vtkIdType
 
 #include "Mesh/MeshView.h"
 #include "Mesh/Tetrahedralization.h"
@@ -22,7 +23,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataArray;
 class vtkDataSet;
-class vtkIdList;
 class vtkIsosurfaceRayTraceReadArrays;
 class vtkPointSet;
 class vtkStructuredGrid;
@@ -47,19 +47,19 @@ public:
   void Tetrahedralize(vtkIsosurfaceRayTracing::MeshView& view, int threads);
 
   /// Whether some cells may be parts of cells of the grid.
-  bool MayBeParts() const { return this->Tetrahedra.has_value() || !this->Ids.empty(); }
+  bool MayBeParts() const { return this->Tetrahedra.has_value() || this->Parts.has_value(); }
   /// The id in the grid of a cell, or of the one that it is a part of.
   vtkIdType FindId(std::int64_t cell) const
   {
     const std::int64_t whole = this->Tetrahedra ? this->Tetrahedra->GetCell(cell) : cell;
-    return this->Ids.empty() ? whole : this->Ids[static_cast<std::size_t>(whole)];
+    return this->Parts ? this->Parts->Ids[static_cast<std::size_t>(whole)] : whole;
   }
   int GetShape(std::int64_t cell) const { return static_cast<int>(this->View.GetShape(cell)); }
 
   ///@{
   /// Polyhedra may have their centre as one more point, after those of the grid: the mean of their
   /// own. AddMeans adds what centres have to an array of the points.
-  bool HaveCenters() const { return !this->Centers.empty(); }
+  bool HaveCenters() const { return this->Parts && !this->Parts->Centers.empty(); }
   std::int64_t CountPointsOfGrid() const;
   void AddMeans(vtkDataArray* array) const;
   double FindMean(std::int64_t center, vtkDataArray* array, int component) const;
@@ -73,23 +73,16 @@ private:
   std::string SelectListed(vtkUnstructuredGrid* grid, bool areAllRead, int threads,
     vtkIsosurfaceRayTraceReadArrays& arrays);
   void ViewListed(vtkUnstructuredGrid* grid, vtkIsosurfaceRayTraceReadArrays& arrays);
-  std::string Subdivide(vtkUnstructuredGrid* grid);
-  void AddCenter(vtkIdList* points, vtkIdList* parts);
-  void ViewOwn();
+  std::string Subdivide(vtkUnstructuredGrid* grid, int threads);
 
   vtkIsosurfaceRayTracing::MeshView View;
-  /// Listed cells, if they cannot be read where they are; if some had to be subdivided, also the
-  /// shapes of the parts, and the ids of the cells that they are parts of.
-  std::vector<unsigned char> Shapes;
+  /// Lists of cells that cannot be read where they are.
   std::vector<std::int64_t> Offsets;
   std::vector<std::int64_t> Connectivity;
-  std::vector<vtkIdType> Ids;
+  /// The cells, if some had to be subdivided.
+  std::optional<vtkIsosurfaceRayTraceSubdividedCells> Parts;
   /// What all of these are split into, if they are.
   std::optional<vtkIsosurfaceRayTracing::Tetrahedralization> Tetrahedra;
-  /// The points of each polyhedron that has a centre.
-  std::vector<std::vector<vtkIdType>> Centers;
-  /// The first polyhedron whose hull is traced instead of it, or less than 0.
-  vtkIdType FirstHull = -1;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -69,6 +69,7 @@ from MeshTesting import (
     errors_of,
     insert_polyhedron,
     make_grid,
+    make_polyhedra,
     make_structured_grid,
     make_volume,
     parallel_rays,
@@ -345,6 +346,73 @@ class TestMeshMapper(unittest.TestCase):
         self.assertEqual(len(warnings), 1)
         self.assertIn("Cell 0 is a polyhedron", warnings[0])
         self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, rays), vtkCommand.WarningEvent), [])
+
+    def test_concave_faces_are_cut_alike(self):
+        """Two cells on each other meet in an uneven L, with points in common or points of their own."""
+        corner = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)]
+        rays = [((0.03 + 0.1 * i, 0.04 + 0.1 * j, -1.0), (0.0, 0.0, 1.0)) for i in range(20) for j in range(20)]
+        inside = [i for i, ((x, y, _), _) in enumerate(rays) if x < 1.0 or y < 1.0]
+        for seed in range(10):
+            random = Random(seed)
+            heights = [[0.0] * 6, [1.0 + random.uniform(-0.1, 0.1) for _ in range(6)], [2.0] * 6]
+            grid, points = vtkUnstructuredGrid(), vtkPoints()
+            points.SetDataTypeToDouble()
+            layers = [0, 1, 1, 2] if seed % 2 else [0, 1, 2]
+            numbers = random.sample(range(6 * len(layers)), 6 * len(layers))
+            points.SetNumberOfPoints(len(numbers))
+            for i, number in enumerate(numbers):
+                points.SetPoint(number, *corner[i % 6], heights[layers[i // 6]][i % 6])
+            grid.SetPoints(points)
+            for lower in (0, len(layers) - 2):
+                low, high = numbers[6 * lower : 6 * lower + 6], numbers[6 * lower + 6 : 6 * lower + 12]
+                sides = [(low[i - 1], low[i], high[i], high[i - 1]) for i in range(6)]
+                faces = []
+                for face in (low, high, *sides):
+                    first = random.randrange(len(face))
+                    face = [*face[first:], *face[:first]]
+                    faces.append(face if random.random() < 0.5 else face[::-1])
+                insert_polyhedron(grid, faces)
+            mapper, volume = make_volume(set_values(grid, lambda point: point[2]), 1.0, opacity=0.1)
+            hits = cast(mapper, volume, rays)
+            self.assertEqual([hit[0] for hit in hits], inside)
+            for hit in hits:
+                self.assertAlmostEqual(hit[1], 2.0, delta=1e-12)
+
+    def test_many_cells_that_are_subdivided(self):
+        """More than a thread takes at once."""
+        count = 13
+        source = vtkCellTypeSource()
+        source.SetCellType(VTK_HEXAHEDRON)
+        source.SetBlocksDimensions(count, count, count)
+        source.Update()
+        grid = make_polyhedra(set_values(source.GetOutput(), plane))
+        rays = [((0.37 + i, 0.41 + j, -1.0), (0.1, 0.05, 1.0)) for i in range(count - 1) for j in range(count - 1)]
+        found = []
+        for threads in (1, 3):
+            mapper, volume = make_volume(grid, *(0.2 * i + 0.0137 for i in range(70)), opacity=0.1)
+            mapper.SetNumberOfThreads(threads)
+            found.append(cast(mapper, volume, rays))
+        self.assertEqual(*found)
+        self.assertGreater(len(found[0]), 1000)
+        for ray, t, cell, _ in found[0]:
+            point = [o + t * d for o, d in zip(*rays[ray])]
+            x, y, z = (int(p) for p in point)
+            self.assertEqual(cell, x + count * (y + count * z))
+
+    def test_faces_of_points_that_are_not_there(self):
+        grid = make_prism([(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)], lambda point: point[2])
+        if hasattr(grid, "GetPolyhedronFaces"):
+            faces, last = grid.GetPolyhedronFaces().GetConnectivityArray(), 23
+        else:
+            faces, last = grid.GetFaces(), 30
+        for number in (8, -1):
+            self.assertIn(faces.GetTuple1(last), range(8))
+            former = faces.GetTuple1(last)
+            faces.SetTuple1(last, number)
+            mapper, volume = make_volume(grid, 0.5)
+            errors = errors_of(mapper, lambda: cast(mapper, volume, parallel_rays()))
+            self.assertIn("Cell 0 has a wrong number of points, or a face of it has", errors[0])
+            faces.SetTuple1(last, former)
 
     def test_faces_of_fewer_than_three_points(self):
         for count in range(3):
