@@ -480,6 +480,9 @@ class TestMeshMapper(unittest.TestCase):
                     mapper, volume = make_volume(grid, value)
                     mapper.SetTetrahedralize(splits)
                     self._check_parametric(mapper, volume, grid)
+        with self.subTest(shape=VTK_POLYHEDRON):
+            grid = make_uneven_cubes(ball)
+            self._check_parametric(*make_volume(grid, ball((1.2, 1.7, 1.5))), grid)
 
     def test_bezier_cells_are_evaluated_by_one_thread(self):
         """VTK allots memory for all threads where it evaluates the first one, which crashes one process in four."""
