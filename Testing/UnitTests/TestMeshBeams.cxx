@@ -515,24 +515,30 @@ TEST_P(MeshBeams, AreMadeOfRaysNextToEachOther)
   selection.PacketKernels = &this->TheKernels;
   for (const double distance : { 0.0, 0.1, 1.0, 4.0, 25.0 })
   {
-    RayPacket packet;
-    packet.Clear();
-    for (int i = 0; i < 32; ++i)
+    for (const bool areInRows : { false, true })
     {
-      const Vector3 place =
-        random.PointInBox({ 2.0, 2.0, 1.0 }, { 2.0 + distance, 2.0 + distance, 2.0 });
-      field.AddRay(place, { 0.1, 0.2, 1.0 }, 0.0, Infinity, packet);
+      RayPacket packet;
+      packet.Clear();
+      for (int i = 0; i < 32; ++i)
+      {
+        const Vector3 place = areInRows
+          ? Vector3{ 2.0 + i % 8 * distance / 8, 2.0 + i / 8 * distance / 8, 1.0 + i / 32.0 }
+          : random.PointInBox({ 2.0, 2.0, 1.0 }, { 2.0 + distance, 2.0 + distance, 2.0 });
+        field.AddRay(place, { 0.1, 0.2, 1.0 }, 0.0, Infinity, packet);
+      }
+      MeshBeam beam;
+      beam.Begin(selection, packet, packet.Exists);
+      EXPECT_EQ(beam.IsBeam(), distance < 25.0) << distance;
+      // In a picture: the beam is that of a tile, whose rays are not known when it begins. Those
+      // that follow each other are to be neighbours.
+      beam.Begin(selection, packet);
+      ASSERT_TRUE(beam.IsBeam());
+      BeamTracer tracer;
+      HitsOfRays hits;
+      EXPECT_EQ(!IsEmpty(tracer.Trace(selection, packet, nullptr, beam, hits)),
+        distance < (areInRows ? 25.0 : 4.0))
+        << distance;
     }
-    const bool areNear = distance < 25.0;
-    MeshBeam beam;
-    beam.Begin(selection, packet, packet.Exists);
-    EXPECT_EQ(beam.IsBeam(), areNear) << distance;
-    // In a picture: the beam is that of a tile, whose rays are not known when it begins.
-    beam.Begin(selection, packet);
-    ASSERT_TRUE(beam.IsBeam());
-    BeamTracer tracer;
-    HitsOfRays hits;
-    EXPECT_EQ(!IsEmpty(tracer.Trace(selection, packet, nullptr, beam, hits)), areNear) << distance;
   }
 }
 

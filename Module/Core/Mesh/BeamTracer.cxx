@@ -95,20 +95,29 @@ void BeamTracer::PlaceRays()
 
 //------------------------------------------------------------------------------
 /// Whether the rays that are in the beam are, as in a picture of a mesh with more cells than
-/// pixels.
+/// pixels, or where neighbours in the packet are nowhere near: a piece is looked at for all rays of
+/// a group if it is between any of them.
 bool BeamTracer::AreFarApart(const MeshSelection& selection, const BeamFrame& frame)
 {
-  constexpr double mostTetrahedra = 6.0;
-  double extent[2];
-  for (int k = 0; k < 2; ++k)
+  constexpr double mostTetrahedra = 1.5;
+  // In the beam labels are from -1 to 1.
+  const double half = 0.5 * frame.GetWidth();
+  double cells = 0.0;
+  for (int group = 0; group < BeamRays::Groups; ++group)
   {
-    // In the beam labels are from -1 to 1.
-    extent[k] = 0.5 * frame.GetWidth() *
-      (static_cast<double>(this->Rays.UpperOfAll[k]) -
-        static_cast<double>(this->Rays.LowerOfAll[k]));
+    double extent[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      extent[k] = half *
+        (static_cast<double>(this->Rays.Upper[k][group]) -
+          static_cast<double>(this->Rays.Lower[k][group]));
+    }
+    // Groups without rays have bounds the other way round.
+    const bool hasRays = !(extent[0] < 0.0);
+    cells += hasRays ? MeshBeam::CountCells(selection, extent[0], extent[1]) : 0.0;
   }
   return MeshBeam::AreFarApart(
-    selection, extent[0], extent[1], CountOf(this->Solver.GetFramed().InBeam), mostTetrahedra);
+    selection, cells, CountOf(this->Solver.GetFramed().InBeam), mostTetrahedra);
 }
 
 //------------------------------------------------------------------------------

@@ -49,7 +49,8 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& rays, cons
   // Rays to a point within the mesh would have no labels there.
   constexpr double mostTetrahedra = 4.0;
   const double width = this->Frame.GetWidth();
-  this->HasFrame = !AreFarApart(selection, width, width, CountOf(some), mostTetrahedra) &&
+  this->HasFrame =
+    !AreFarApart(selection, CountCells(selection, width, width), CountOf(some), mostTetrahedra) &&
     this->Frame.HasLabelsFrom(projection.Begin);
   if (this->HasFrame)
   {
@@ -59,11 +60,10 @@ void MeshBeam::Begin(const MeshSelection& selection, const RayPacket& rays, cons
 
 //------------------------------------------------------------------------------
 bool MeshBeam::AreFarApart(
-  const MeshSelection& selection, double width, double height, int count, double mostTetrahedra)
+  const MeshSelection& selection, double cells, int count, double mostTetrahedra)
 {
   const double mostCellsOfRay = selection.Cells->AreTetrahedra() ? mostTetrahedra : 0.5;
-  const double size = selection.CellSize;
-  return !((width / size + 1.0) * (height / size + 1.0) < mostCellsOfRay * count);
+  return !(cells < mostCellsOfRay * count);
 }
 
 //------------------------------------------------------------------------------

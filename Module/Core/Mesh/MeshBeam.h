@@ -32,11 +32,17 @@ public:
   /// Begins with some rays, from where they begin.
   void Begin(const MeshSelection& selection, const RayPacket& rays, const RaySet& some);
 
-  /// Whether so many rays, in a rectangle, are so far from each other that they have little in
-  /// common: of the cells between them most are met by none. That is when a ray has more than some
+  /// About how many cells are side by side in a rectangle.
+  static double CountCells(const MeshSelection& selection, double width, double height)
+  {
+    return (width / selection.CellSize + 1.0) * (height / selection.CellSize + 1.0);
+  }
+
+  /// Whether so many rays, with as many cells between them, are so far from each other that they
+  /// have little in common: most cells are met by none. That is when a ray has more than some
   /// tetrahedra to itself, or half a trilinear cell, for which a beam takes longer.
   static bool AreFarApart(
-    const MeshSelection& selection, double width, double height, int count, double mostTetrahedra);
+    const MeshSelection& selection, double cells, int count, double mostTetrahedra);
 
   /// Ends without beginning anew: there is no frame.
   void End() { this->HasFrame = false; }
