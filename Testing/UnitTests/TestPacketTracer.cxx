@@ -489,6 +489,30 @@ TEST_P(PacketTracing, HitWhatSingleRaysHitInSlicesOfManyBlocks)
 }
 
 //------------------------------------------------------------------------------
+/// So many macrocells that rays of a packet have little in common, and come to them one by one.
+TEST_P(PacketTracing, HitWhatSingleRaysHitFarFromEachOther)
+{
+  RandomNumbers random(8603);
+  const Index3 size = { 150, 140, 130 };
+  PacketChecks checks("rays far from each other", this->TheKernels);
+  for (const int percent : { 1, 50 })
+  {
+    const auto volume = Islands<std::uint8_t>(random, size, percent);
+    const auto traced = ImageField::New(volume.View(), {}, 1);
+    for (const auto& [value, opacity] :
+      { std::pair(49.5, 1.0), std::pair(77.0, 1.0), std::pair(77.0, 0.1) })
+    {
+      const TestRequest request({ { value, opacity } });
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 4));
+      TestRequest boxes = request;
+      boxes.Interpolation = Interpolant::Nearest;
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, boxes, 1));
+    }
+  }
+  EXPECT_GT(checks.GetNumberOfHits(), 10000U);
+}
+
+//------------------------------------------------------------------------------
 /// Some of the 27, between planes anywhere or in lattice planes.
 CroppingRegions RandomRegions(RandomNumbers& random, const Index3& size, const UnevenPlanes* planes)
 {

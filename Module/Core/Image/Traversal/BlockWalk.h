@@ -9,8 +9,11 @@
 #include "Math/Compiler.h"
 #include "Rays/RayPacket.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace vtkIsosurfaceRayTracing
@@ -40,6 +43,8 @@ public:
     , IsUp(frustum.IsUp)
     , Going(going)
   {
+    this->Reached.fill(std::numeric_limits<int>::min());
+    this->Last.fill(std::numeric_limits<int>::max());
   }
 
   /// Calls visit(steps, count) for each round.
@@ -59,6 +64,24 @@ public:
         }
       }
     }
+  }
+
+  /// To be called with the steps of each round, and with the rays that have ended up to then at
+  /// what they have come to: these go on to what may be nearer, and to nothing behind.
+  void EndBehind(const RaySet& ended, const Step* steps, int count)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      int& reached = this->Reached[static_cast<std::size_t>(steps[i].Ray)];
+      reached = std::max(reached, this->GetDepth(steps[i].Block, 0));
+    }
+    ForEachRay(Without(ended, this->Ended),
+      [this](int ray)
+      {
+        const auto number = static_cast<std::size_t>(ray);
+        this->Last[number] = this->Reached[number];
+      });
+    this->Ended = Unite(this->Ended, ended);
   }
 
 private:
@@ -81,6 +104,14 @@ private:
     member[static_cast<std::size_t>(BlockMask::U[this->Axis])] = u;
     member[static_cast<std::size_t>(BlockMask::V[this->Axis])] = v;
     return member;
+  }
+
+  /// The slice of macrocells, along the rays, that a member at some level begins in.
+  int GetDepth(const Index3& member, std::size_t level) const
+  {
+    const int edge = this->Levels[level].MemberEdge / BlockMask::Edge;
+    const int first = member[static_cast<std::size_t>(this->Axis)] * edge;
+    return this->IsUp ? first : 1 - first - edge;
   }
 
   template <typename Visit>
@@ -107,9 +138,16 @@ private:
       for (int i = 0; i < left; ++i)
       {
         const int number = waiting[i];
-        if (Has(this->Going, members.Ray[number]))
+        const int ray = members.Ray[number];
+        if (!Has(this->Going, ray))
         {
-          next[going++] = { members.Ray[number], this->TakeMember(members, number) };
+          continue;
+        }
+        const Index3 member = this->TakeMember(members, number);
+        // Those that follow are not nearer.
+        if (this->GetDepth(member, level) <= this->Last[static_cast<std::size_t>(ray)])
+        {
+          next[going++] = { ray, member };
           waiting[kept] = number;
           kept += members.Slices[number] != 0 ? 1 : 0;
         }
@@ -170,6 +208,10 @@ private:
   int Axis;
   bool IsUp;
   const RaySet& Going;
+  RaySet Ended = {};
+  /// The largest depths that rays have come to, and those up to which they are needed.
+  std::array<int, RayPacket::Capacity> Reached;
+  std::array<int, RayPacket::Capacity> Last;
 };
 
 }

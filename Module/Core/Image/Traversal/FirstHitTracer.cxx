@@ -22,7 +22,7 @@ const PacketHits& FirstHitTracer::FindFirstHits(
   this->SurelyHit[0] = {};
   this->SurelyHit[1] = {};
   this->Hits.Found = {};
-  this->TraceQueued(packet, cells, cells.GetCorners(), Order::FrontToBack);
+  this->TraceQueued(packet, cells, cells.GetCorners(), Order::Nearest);
   this->SolveCandidates();
   return this->Hits;
 }

@@ -110,7 +110,7 @@ void PacketTracer::TraceSet(const RaySet& rays, int count)
   Frustum frustum;
   const bool isFrustum = this->TheKernels.Align(*this->Packet, rays, axis, this->Aligned, frustum);
   const bool mayBeApart =
-    this->TheOrder == Order::Any && !this->Planes && !this->Cropped && count > 1;
+    this->TheOrder != Order::FrontToBack && !this->Planes && !this->Cropped && count > 1;
   if (mayBeApart && (!isFrustum || HaveLittleInCommon(frustum, count)))
   {
     this->TraceAlike(rays, axis);
@@ -188,22 +188,28 @@ void PacketTracer::TraceFrustum(const Frustum& frustum)
 //------------------------------------------------------------------------------
 void PacketTracer::TraceApart(const Frustum& frustum)
 {
+  BlockWalk walk(this->TheKernels, this->Tree, this->Aligned, frustum, this->Going);
   this->ClearPassages();
   this->BeginFrustum(frustum);
-  BlockWalk(this->TheKernels, this->Tree, this->Aligned, frustum, this->Going)
-    .ForEachRound(
-      [this, &frustum](const BlockWalk::Step* steps, int count)
+  walk.ForEachRound(
+    [this, &walk, &frustum](const BlockWalk::Step* steps, int count)
+    {
+      const RaySet going = this->Going;
+      for (int i = 0; i < count; ++i)
       {
-        for (int i = 0; i < count; ++i)
-        {
-          this->Source->Prefetch(steps[i].Block);
-        }
-        for (int i = 0; i < count; ++i)
-        {
-          this->PassBlock(frustum, steps[i].Ray, steps[i].Block);
-        }
-        this->EndSlice(frustum);
-      });
+        this->Source->Prefetch(steps[i].Block);
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        this->PassBlock(frustum, steps[i].Ray, steps[i].Block);
+      }
+      this->EndSlice(frustum);
+      if (this->TheOrder == Order::Nearest)
+      {
+        walk.EndBehind(Without(going, this->Going), steps, count);
+        this->Going = going;
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -71,6 +71,9 @@ protected:
   enum class Order
   {
     FrontToBack,
+    /// Any, but a ray that has ended still comes to all that may be nearer than where it has.
+    Nearest,
+    /// Any; where a ray has ended, it ends.
     Any
   };
 
