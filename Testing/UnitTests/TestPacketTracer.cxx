@@ -499,11 +499,19 @@ TEST_P(PacketTracing, HitWhatSingleRaysHitFarFromEachOther)
   {
     const auto volume = Islands<std::uint8_t>(random, size, percent);
     const auto traced = ImageField::New(volume.View(), {}, 1);
-    for (const auto& [value, opacity] :
-      { std::pair(49.5, 1.0), std::pair(77.0, 1.0), std::pair(77.0, 0.1) })
+    std::vector<unsigned char> hidden(Count(traced->GetLattice().GetCells()));
+    for (unsigned char& isHidden : hidden)
     {
-      const TestRequest request({ { value, opacity } });
+      isHidden = random.Integer(0, 1) != 0 ? 1 : 0;
+    }
+    for (const TestRequest& request : { OpaqueSurface(49.5), OpaqueSurface(77.0),
+           TestRequest({ { 77.0, 0.1 } }), TestRequest({ { 30.0, 0.8 }, { 77.0, 0.9 } }),
+           TestRequest({ { 40.0, 0.2 }, { 77.0, 1.0 } }) })
+    {
       ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, request, 4));
+      TestRequest half = request;
+      half.Visible.HiddenCells = hidden.data();
+      ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, half, 1));
       TestRequest boxes = request;
       boxes.Interpolation = Interpolant::Nearest;
       ASSERT_NO_FATAL_FAILURE(checks.CheckAll(random, *traced, boxes, 1));

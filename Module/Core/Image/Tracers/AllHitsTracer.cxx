@@ -16,6 +16,7 @@ AllHitsTracer::AllHitsTracer(
   const ImageSelection& selection, const RayPacket& rays, RootCells& cells, CornerSource& corners)
   : CandidateTracer(selection, rays, cells, corners)
   , TheCells(cells)
+  , AreRootsVisible(selection.Request.Visible.IsConvex())
   , Collector(selection, rays.Count)
 {
   for (std::size_t surface = 0; surface < selection.Isovalues.size(); ++surface)
@@ -23,12 +24,13 @@ AllHitsTracer::AllHitsTracer(
     this->EndsAllRays = this->EndsAllRays && selection.EndsRays(surface);
   }
   this->LastOfRay.fill(-1);
+  this->Transmittance.fill(1.0);
 }
 
 //------------------------------------------------------------------------------
 void AllHitsTracer::FindHits(RayHits& hits)
 {
-  this->TraceSurfaces(Order::FrontToBack);
+  this->TraceSurfaces(Order::Nearest);
   this->Collector.AppendTo(hits);
 }
 
@@ -64,15 +66,49 @@ void AllHitsTracer::AddRoot(int candidate, int surface, bool isPartial)
                             HasCandidate(solved.Entering, candidate) },
     cell, { solved.Begin[candidate], static_cast<int>(solved.BeginAxis[candidate]) },
     solved.Fraction[candidate], isPartial, next });
+  if (this->AreApart && this->AreRootsVisible && !isPartial)
+  {
+    this->Attenuate(this->Waiting.Ray[candidate], this->Found.back().TheHit);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Ends a ray that was found to end at the hit or at a nearer one. In which order the opacities are
+/// multiplied makes a difference in the last digits.
+void AllHitsTracer::Attenuate(int ray, const Hit& hit)
+{
+  constexpr double surely = 0.999;
+  double& transmittance = this->Transmittance[static_cast<std::size_t>(ray)];
+  transmittance *= 1.0 - this->Selection.Request.GetOpacity(hit);
+  if (transmittance < surely * NegligibleTransmittance)
+  {
+    Remove(ray, this->Going);
+  }
 }
 
 //------------------------------------------------------------------------------
 void AllHitsTracer::EndQueuedSlice(const Frustum& /*frustum*/)
 {
+  if (!this->AreApart)
+  {
+    this->AddHitsOfAll();
+  }
+}
+
+//------------------------------------------------------------------------------
+void AllHitsTracer::EndFrustum()
+{
+  this->AddHitsOfAll();
+}
+
+//------------------------------------------------------------------------------
+/// Adds what was found since the last call. Rays of which nothing is left end.
+void AllHitsTracer::AddHitsOfAll()
+{
   this->SolveWaiting();
   for (int ray = 0; ray < this->Rays.Count; ++ray)
   {
-    if (this->LastOfRay[static_cast<std::size_t>(ray)] >= 0 && this->AddHitsInSlice(ray))
+    if (this->LastOfRay[static_cast<std::size_t>(ray)] >= 0 && this->AddHitsOfRay(ray))
     {
       Remove(ray, this->Going);
     }
@@ -81,8 +117,8 @@ void AllHitsTracer::EndQueuedSlice(const Frustum& /*frustum*/)
 }
 
 //------------------------------------------------------------------------------
-/// Adds the hits of a ray in a slice, in order. Returns whether nothing of the ray is left.
-bool AllHitsTracer::AddHitsInSlice(int ray)
+/// Adds the hits of a ray, in order. Returns whether nothing of the ray is left.
+bool AllHitsTracer::AddHitsOfRay(int ray)
 {
   this->OfRay.clear();
   int next = std::exchange(this->LastOfRay[static_cast<std::size_t>(ray)], -1);

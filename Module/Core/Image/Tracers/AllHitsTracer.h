@@ -18,7 +18,8 @@ namespace vtkIsosurfaceRayTracing
 /// Finds all hits of the rays of a packet with some surfaces of the trilinear interpolant, up to
 /// where each ray ends: behind translucent surfaces it goes on.
 ///
-/// Behind each slice of blocks the hits of each ray there are put in order.
+/// The hits of each ray are put in order behind each slice of blocks, or, where rays come to their
+/// blocks one by one, behind the last.
 class AllHitsTracer final : public CandidateTracer
 {
 public:
@@ -47,15 +48,22 @@ private:
   int KeepNeeded(const Frustum& frustum, int* passages, int count) const override;
   void KeepSolutions(int surface) override;
   void AddRoot(int candidate, int surface, bool isPartial);
+  void Attenuate(int ray, const Hit& hit);
   void EndQueuedSlice(const Frustum& frustum) override;
-  bool AddHitsInSlice(int ray);
+  void EndFrustum() override;
+  void AddHitsOfAll();
+  bool AddHitsOfRay(int ray);
   bool AddHitsInCell(int ray, Roots::const_iterator first, Roots::const_iterator last);
   bool AddRootsInCell(int ray, const Index3& cell);
 
   RootCells& TheCells;
   /// Whether rays end at any hit with any surface.
   bool EndsAllRays = true;
-  /// Those in the slice, and the number of the last one of each ray, or negative.
+  /// Whether every root is a hit: none is hidden.
+  bool AreRootsVisible;
+  /// What all roots that were found leave of each ray.
+  std::array<double, RayPacket::Capacity> Transmittance;
+  /// Those that were not yet added, and the number of the last one of each ray, or negative.
   std::vector<FoundRoot> Found;
   std::array<int, RayPacket::Capacity> LastOfRay;
   PacketCollector Collector;

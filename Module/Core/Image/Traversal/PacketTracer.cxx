@@ -166,6 +166,7 @@ void PacketTracer::TraceAlike(const RaySet& rays, int axis)
 //------------------------------------------------------------------------------
 void PacketTracer::TraceFrustum(const Frustum& frustum)
 {
+  this->AreApart = false;
   this->ClearPassages();
   this->BeginFrustum(frustum);
   FrustumTraversal(this->Tree, this->Lattice.GetPlanes(), frustum)
@@ -183,12 +184,14 @@ void PacketTracer::TraceFrustum(const Frustum& frustum)
         this->EndSlice(frustum);
         return IsEmpty(this->Going);
       });
+  this->EndFrustum();
 }
 
 //------------------------------------------------------------------------------
 void PacketTracer::TraceApart(const Frustum& frustum)
 {
   BlockWalk walk(this->TheKernels, this->Tree, this->Aligned, frustum, this->Going);
+  this->AreApart = true;
   this->ClearPassages();
   this->BeginFrustum(frustum);
   walk.ForEachRound(
@@ -210,6 +213,7 @@ void PacketTracer::TraceApart(const Frustum& frustum)
         this->Going = going;
       }
     });
+  this->EndFrustum();
 }
 
 //------------------------------------------------------------------------------

@@ -91,6 +91,8 @@ protected:
   /// Called behind the last block of a slice across the axis, or in any order behind a block of
   /// each ray. Rays that have ended are to be removed from Going.
   virtual void EndSlice(const Frustum& frustum) = 0;
+  /// Called behind the last block of all.
+  virtual void EndFrustum() {}
 
   void ClearPassages();
   /// Calls visit(cell) for the cells of a passage.
@@ -104,6 +106,8 @@ protected:
   const RayPacket* Packet = nullptr;
   /// The rays that have not ended.
   RaySet Going = {};
+  /// Whether each ray comes to its blocks by itself, not slice by slice.
+  bool AreApart = false;
   Passages Passed;
 
 private:
