@@ -6,7 +6,9 @@
 #include "vtkIsosurfaceRayTraceRequest.h"
 
 #include "vtkCamera.h"
+#include "vtkGenericCell.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 
 #include "Math/Matrix.h"
 #include "Picture/CastRays.h"
@@ -60,15 +62,16 @@ vtkIsosurfaceRayTraceHits::Description vtkIsosurfaceRayTraceHits::Describe(
   batch.Add(0, hit);
   Description description;
   this->Describe(batch, &description);
-  this->MoveToWholeCell(hit, description.Parametric);
+  vtkNew<vtkGenericCell> any;
+  this->MoveToWholeCell(hit, any, description.Parametric);
   return description;
 }
 
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceHits::MoveToWholeCell(
-  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+  const vtkirt::Hit& hit, vtkGenericCell* any, vtkirt::Vector3& parametric) const
 {
-  this->Request.Inputs.Get(hit.Field).MoveToWholeCell(hit, parametric);
+  this->Request.Inputs.Get(hit.Field).MoveToWholeCell(hit, any, parametric);
 }
 
 //------------------------------------------------------------------------------

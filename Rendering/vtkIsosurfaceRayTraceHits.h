@@ -18,6 +18,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkCamera;
+class vtkGenericCell;
 struct vtkIsosurfaceRayTraceRequest;
 
 class vtkIsosurfaceRayTraceHits
@@ -48,9 +49,10 @@ public:
   /// With the parametric coordinates in the cell of the data.
   Description Describe(const vtkIsosurfaceRayTracing::Hit& hit) const;
 
-  /// Makes the parametric coordinates of a hit those in the cell of the data.
-  void MoveToWholeCell(
-    const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const;
+  /// Makes the parametric coordinates of a hit those in the cell of the data, given any cell to
+  /// use.
+  void MoveToWholeCell(const vtkIsosurfaceRayTracing::Hit& hit, vtkGenericCell* any,
+    vtkIsosurfaceRayTracing::Vector3& parametric) const;
 
   /// Calls visit(begin, count) for shares of a number of hits, in parallel.
   template <typename Visit>

@@ -31,6 +31,7 @@ class vtkCompositeDataDisplayAttributes;
 class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
+class vtkGenericCell;
 class vtkImageData;
 class vtkIsosurfaceRayTraceValueColors;
 class vtkObject;
@@ -161,10 +162,10 @@ public:
   {
     return this->GetPart(hit).FindCell(hit, parametric);
   }
-  void MoveToWholeCell(
-    const vtkIsosurfaceRayTracing::Hit& hit, vtkIsosurfaceRayTracing::Vector3& parametric) const
+  void MoveToWholeCell(const vtkIsosurfaceRayTracing::Hit& hit, vtkGenericCell* any,
+    vtkIsosurfaceRayTracing::Vector3& parametric) const
   {
-    this->GetPart(hit).MoveToWholeCell(hit, parametric);
+    this->GetPart(hit).MoveToWholeCell(hit, any, parametric);
   }
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const
   {

@@ -351,7 +351,7 @@ vtkIdType vtkIsosurfaceRayTraceMeshPart::FindCell(
 //------------------------------------------------------------------------------
 /// As VTK finds them, if it does.
 void vtkIsosurfaceRayTraceMeshPart::MoveToWholeCell(
-  const vtkirt::Hit& hit, vtkirt::Vector3& parametric) const
+  const vtkirt::Hit& hit, vtkGenericCell* any, vtkirt::Vector3& parametric) const
 {
   if (!this->TracedCells.MayBeParts())
   {
@@ -371,15 +371,14 @@ void vtkIsosurfaceRayTraceMeshPart::MoveToWholeCell(
     parametric = FindPlaceInBox(grid, cell, position);
     return;
   }
-  vtkNew<vtkGenericCell> whole;
-  grid->GetCell(cell, whole);
-  std::vector<double> weights(static_cast<std::size_t>(whole->GetNumberOfPoints()));
+  grid->GetCell(cell, any);
+  std::vector<double> weights(static_cast<std::size_t>(any->GetNumberOfPoints()));
   vtkirt::Vector3 closest;
   vtkirt::Vector3 found;
   double distance = 0.0;
   int subId = 0;
-  const std::unique_lock<std::mutex> lock = LockEvaluation(whole->GetCellType());
-  if (whole->EvaluatePosition(
+  const std::unique_lock<std::mutex> lock = LockEvaluation(any->GetCellType());
+  if (any->EvaluatePosition(
         position.data(), closest.data(), subId, found.data(), distance, weights.data()) >= 0)
   {
     parametric = found;

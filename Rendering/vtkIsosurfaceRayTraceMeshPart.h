@@ -27,6 +27,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkGenericCell;
 class vtkIdList;
 class vtkObject;
 class vtkPointSet;
@@ -70,7 +71,7 @@ public:
   vtkIdType FindCell(const vtkIsosurfaceRayTracing::Hit& hit,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const override;
-  void MoveToWholeCell(const vtkIsosurfaceRayTracing::Hit& hit,
+  void MoveToWholeCell(const vtkIsosurfaceRayTracing::Hit& hit, vtkGenericCell* any,
     vtkIsosurfaceRayTracing::Vector3& parametric) const override;
   std::optional<double> FindOpacity() const override { return this->Leaf.Display.Opacity; }
   const vtkIsosurfaceRayTraceLeaf& FindLeaf(

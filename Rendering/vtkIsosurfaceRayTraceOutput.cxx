@@ -9,6 +9,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
@@ -228,11 +229,12 @@ void WriteHits(
   vtkIsosurfaceRayTraceHits::ForEachShare(hits.Hits.size(), request.Execution.Threads,
     [&](std::size_t begin, std::size_t count)
     {
+      vtkNew<vtkGenericCell> any;
       traced.DescribeEach(&hits.Hits[begin], count,
         [&](std::size_t i, Description& described)
         {
           const vtkirt::Hit& hit = hits.Hits[begin + i];
-          traced.MoveToWholeCell(hit, described.Parametric);
+          traced.MoveToWholeCell(hit, any, described.Parametric);
           arrays.Set(static_cast<vtkIdType>(begin + i), hit.T, described);
         });
     });

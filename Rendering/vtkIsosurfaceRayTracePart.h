@@ -21,6 +21,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataSet;
+class vtkGenericCell;
 class vtkObject;
 
 class vtkIsosurfaceRayTracePart : public vtkIsosurfaceRayTracing::FieldSource
@@ -68,8 +69,9 @@ public:
   virtual vtkIdType FindPoint(const vtkIsosurfaceRayTracing::Hit& hit) const = 0;
 
   /// Makes the parametric coordinates of a hit in what is traced of a cell those in the cell of the
-  /// data. That may take longer than all else.
-  virtual void MoveToWholeCell(const vtkIsosurfaceRayTracing::Hit& /*hit*/,
+  /// data, given any cell, which takes longer to make than to use. That may take longer than all
+  /// else.
+  virtual void MoveToWholeCell(const vtkIsosurfaceRayTracing::Hit& /*hit*/, vtkGenericCell* /*any*/,
     vtkIsosurfaceRayTracing::Vector3& /*parametric*/) const
   {
   }
