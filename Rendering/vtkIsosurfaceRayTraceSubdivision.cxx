@@ -289,14 +289,13 @@ void vtkIsosurfaceRayTraceSubdivision::ChooseWay(vtkCell* reference)
 bool vtkIsosurfaceRayTraceSubdivision::DivideLattice(
   vtkCell* cell, int type, const std::array<int, 3>& order)
 {
-  const bool isHexahedron = type == VTK_HEXAHEDRON;
-  this->Parts = FindPoints(cell, order, isHexahedron ? PlaceHexahedra(order) : PlaceWedges(order));
+  this->Parts = FindPoints(
+    cell, order, type == VTK_HEXAHEDRON ? PlaceHexahedra(order) : PlaceWedges(order));
   if (this->Parts.empty())
   {
     return false;
   }
   this->PartType = type;
-  this->PartSize = isHexahedron ? 8 : 6;
   return true;
 }
 

@@ -53,9 +53,7 @@ public:
   /// Whether the parts of the last cell are those of the convex hull of a cell that is not convex.
   bool IsHull() const { return this->HasHull; }
 
-  /// The type of parts, and how many points each has.
   int GetPartType() const { return this->PartType; }
-  vtkIdType GetPartSize() const { return this->PartSize; }
 
 private:
   void ChooseWay(vtkCell* reference);
@@ -71,7 +69,6 @@ private:
   /// Zero if not all cells have the same number.
   vtkIdType Points = 0;
   int PartType;
-  vtkIdType PartSize = 4;
   bool IsPolyhedron = false;
   bool HasHull = false;
   bool IsPrism = false;
