@@ -289,8 +289,8 @@ void vtkIsosurfaceRayTraceSubdivision::ChooseWay(vtkCell* reference)
 bool vtkIsosurfaceRayTraceSubdivision::DivideLattice(
   vtkCell* cell, int type, const std::array<int, 3>& order)
 {
-  this->Parts = FindPoints(
-    cell, order, type == VTK_HEXAHEDRON ? PlaceHexahedra(order) : PlaceWedges(order));
+  this->Parts =
+    FindPoints(cell, order, type == VTK_HEXAHEDRON ? PlaceHexahedra(order) : PlaceWedges(order));
   if (this->Parts.empty())
   {
     return false;

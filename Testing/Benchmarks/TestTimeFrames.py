@@ -16,7 +16,7 @@ from Programs import ProgramTest, new_folder
 HERE = Path(__file__).resolve().parent
 DOCUMENT = HERE.parents[1] / "Documentation" / "measurements.md"
 FOLDER = new_folder("time-frames")
-NUMBERS_OF_ROWS = {"kinds": 6, "projection": 4, "interpolation": 2, "secondary": 3, "multisampling": 2}
+NUMBERS_OF_ROWS = {"kinds": 6, "projection": 4, "interpolation": 2, "secondary": 3, "multisampling": 2, "rays": 3}
 
 
 def run_script(*arguments):

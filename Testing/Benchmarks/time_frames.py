@@ -10,8 +10,10 @@
                                                    thread; DATA is a VOLUME, or MESH.vtu:ARRAY
     time_frames.py multisampling VOLUME ISOVALUE   windows with as many samples of a pixel as they have
                                                    by default, and without
+    time_frames.py rays DATA ISOVALUE              not frames, but 25 600 rays of CastRays in several
+                                                   orders, on one thread
 
-In time of the processors, all threads together; the last one in time that passes."""
+In time of the processors, all threads together; that of windows with samples in time that passes."""
 
 import math
 import statistics
@@ -21,9 +23,9 @@ import time
 import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, for its factories
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkRectilinearGrid
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData, vtkRectilinearGrid
 from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkNIFTIImageReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter
@@ -31,6 +33,7 @@ from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
 VIEWS, FRAMES, SIZE = 8, 3, 512
+ROWS = 160  # of rays
 
 
 def read(name):
@@ -260,6 +263,50 @@ def time_multisampling(file_name, isovalue):
         print(f"| {name} | {statistics.median(without[name]):.1f} | {statistics.median(frames[name]):.1f} |")
 
 
+def make_rays(data):
+    """Points on rays, and their directions, of length one, by the order of the rays."""
+    random = numpy.random.default_rng(1)
+    bounds = numpy.reshape(data.GetBounds(), (3, 2))
+    size = bounds[:, 1] - bounds[:, 0]
+    places = (numpy.arange(ROWS) + 0.5) / ROWS
+    rows = [[x, y, 0.5] for y in places for x in places] * size + bounds[:, 0]
+    parallel = numpy.tile(numpy.array([0.1, 0.2, 1.0]) / math.hypot(0.1, 0.2, 1.0), (ROWS * ROWS, 1))
+    anywhere = random.uniform(bounds[:, 0], bounds[:, 1], rows.shape)
+    directions = random.normal(size=rows.shape)
+    directions /= numpy.linalg.norm(directions, axis=1, keepdims=True)
+    return {
+        "parallel, row by row": (rows, parallel),
+        "the same, in any order": (random.permutation(rows), parallel),
+        "anywhere, in any direction": (anywhere, directions),
+    }
+
+
+def time_cast(volume, points, directions):
+    """The ns of a ray, and the hits of a ray, of rays from outside of the data."""
+    far = 2.0 * volume.GetMapper().GetDataSetInput().GetLength()
+    origins, hits = vtkPoints(), vtkPolyData()
+    origins.SetData(numpy_to_vtk(points - far * directions, deep=True))
+    times = []
+    for _ in range(1 + 2 * FRAMES):
+        start = time.process_time()
+        volume.GetMapper().CastRays(volume, origins, numpy_to_vtk(directions, deep=True), hits)
+        times.append(1e9 * (time.process_time() - start) / len(points))
+    return [describe(times[1:]), f"{hits.GetNumberOfPoints() / len(points):.2f}"]
+
+
+def time_rays(data_name, isovalue):
+    """The hits are described, too: their places, normals, cells, and values."""
+    file_name, _, array = data_name.partition(":")
+    data, isovalue = read_mesh(file_name, array) if array else read(file_name), float(isovalue)
+    volumes = [new_isosurface(data, isovalue) for _ in range(2)]
+    volumes[1].GetProperty().GetScalarOpacity().AddPoint(isovalue, 0.3)
+    for volume in volumes:
+        volume.GetMapper().SetNumberOfThreads(1)
+    print("| rays | opaque, ns a ray | hits a ray | translucent, ns a ray | hits a ray |\n|---|---|---|---|---|")
+    for name, rays in make_rays(data).items():
+        print(f"| {name} | {' | '.join(cell for volume in volumes for cell in time_cast(volume, *rays))} |", flush=True)
+
+
 def main():
     if len(sys.argv) == 4 and sys.argv[1] == "kinds":
         time_kinds(*sys.argv[2:])
@@ -269,6 +316,8 @@ def main():
         time_projection(sys.argv[2])
     elif len(sys.argv) >= 4 and sys.argv[1] == "secondary":
         time_secondary(*sys.argv[2:])
+    elif len(sys.argv) == 4 and sys.argv[1] == "rays":
+        time_rays(*sys.argv[2:])
     elif len(sys.argv) == 4 and sys.argv[1] == "multisampling":
         time_multisampling(*sys.argv[2:])
     else:
