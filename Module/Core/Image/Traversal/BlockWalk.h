@@ -75,13 +75,12 @@ public:
       int& reached = this->Reached[static_cast<std::size_t>(steps[i].Ray)];
       reached = std::max(reached, this->GetDepth(steps[i].Block, 0));
     }
-    ForEachRay(Without(ended, this->Ended),
+    ForEachRay(ended,
       [this](int ray)
       {
         const auto number = static_cast<std::size_t>(ray);
-        this->Last[number] = this->Reached[number];
+        this->Last[number] = std::min(this->Last[number], this->Reached[number]);
       });
-    this->Ended = Unite(this->Ended, ended);
   }
 
 private:
@@ -208,7 +207,6 @@ private:
   int Axis;
   bool IsUp;
   const RaySet& Going;
-  RaySet Ended = {};
   /// The largest depths that rays have come to, and those up to which they are needed.
   std::array<int, RayPacket::Capacity> Reached;
   std::array<int, RayPacket::Capacity> Last;
