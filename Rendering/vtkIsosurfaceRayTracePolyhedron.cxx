@@ -120,12 +120,12 @@ bool vtkIsosurfaceRayTracePolyhedron::IsSeenFromFirst() const
 }
 
 //------------------------------------------------------------------------------
-/// Cuts the face into triangles.
+/// Cuts the face into triangles: from its first point, too, where VTK cuts none, as where it has no
+/// area.
 void vtkIsosurfaceRayTracePolyhedron::CutFace(const Vector3& center)
 {
-  if (this->Face.size() > 3 && !this->IsSeenFromFirst())
+  if (this->Face.size() > 3 && !this->IsSeenFromFirst() && this->CutEars(center))
   {
-    this->CutConcaveFace(center);
     return;
   }
   for (std::size_t i = 1; i + 1 < this->Face.size(); ++i)
@@ -135,8 +135,8 @@ void vtkIsosurfaceRayTracePolyhedron::CutFace(const Vector3& center)
 }
 
 //------------------------------------------------------------------------------
-/// Cuts it from its first point, too, where VTK does not cut it.
-void vtkIsosurfaceRayTracePolyhedron::CutConcaveFace(const Vector3& center)
+/// Cuts it as VTK does. Returns whether that cuts it.
+bool vtkIsosurfaceRayTracePolyhedron::CutEars(const Vector3& center)
 {
   const auto count = static_cast<vtkIdType>(this->Face.size());
   this->Polygon->GetPointIds()->SetNumberOfIds(count);
@@ -149,20 +149,14 @@ void vtkIsosurfaceRayTracePolyhedron::CutConcaveFace(const Vector3& center)
   }
   if (this->Polygon->EarCutTriangulation(this->Cut) == 0)
   {
-    this->Cut->Reset();
-    for (vtkIdType i = 1; i + 1 < count; ++i)
-    {
-      for (const vtkIdType corner : { vtkIdType(0), i, i + 1 })
-      {
-        this->Cut->InsertNextId(corner);
-      }
-    }
+    return false;
   }
   for (vtkIdType i = 0; i + 3 <= this->Cut->GetNumberOfIds(); i += 3)
   {
     const auto get = [&](vtkIdType k) { return static_cast<std::size_t>(this->Cut->GetId(i + k)); };
     this->AddTriangle(center, get(0), get(1), get(2));
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -84,7 +84,7 @@ private:
   void LoadFace(vtkPoints* points, const vtkIdType* ids, std::size_t count);
   bool IsSeenFromFirst() const;
   void CutFace(const Vector3& center);
-  void CutConcaveFace(const Vector3& center);
+  bool CutEars(const Vector3& center);
   void AddTriangle(const Vector3& center, std::size_t a, std::size_t b, std::size_t c);
   void SortEdges();
   void TurnTriangles();

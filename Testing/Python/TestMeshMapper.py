@@ -142,10 +142,14 @@ def split_cells(grid):
         cell = grid.GetCell(i)
         ids = [cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())]
         apex = min(ids, key=grid.GetPoint)
-        tetrahedra = [] if len(ids) > 4 else [ids]
-        for k in range(cell.GetNumberOfFaces() if len(ids) > 4 else 0):
-            ids = cell.GetFace(k).GetPointIds()
-            face = [ids.GetId(m) for m in range(ids.GetNumberOfIds())]
+        if len(ids) == 4:
+            split.InsertNextCell(VTK_TETRA, 4, ids)
+            cells.append(i)
+            continue
+        tetrahedra = []
+        for k in range(cell.GetNumberOfFaces()):
+            of_face = cell.GetFace(k).GetPointIds()
+            face = [of_face.GetId(m) for m in range(of_face.GetNumberOfIds())]
             first = face.index(min(face, key=grid.GetPoint))
             face = face[first:] + face[:first]
             if apex not in face:
