@@ -124,10 +124,8 @@ vtk_module_add_module(VTK::IsosurfaceRayTracing
                   Rendering/vtkIsosurfaceRayTraceMapperSettings.cxx
                   $<TARGET_OBJECTS:vtkIsosurfaceRayTracingCore>)
 vtk_module_compile_features(VTK::IsosurfaceRayTracing PRIVATE cxx_std_17)
-if (vtkIsosurfaceRayTracing_COMPILE_OPTIONS)
-  vtk_module_compile_options(VTK::IsosurfaceRayTracing
-    PRIVATE ${vtkIsosurfaceRayTracing_COMPILE_OPTIONS} ${no_contraction})
-endif ()
+vtk_module_compile_options(VTK::IsosurfaceRayTracing
+  PRIVATE ${vtkIsosurfaceRayTracing_COMPILE_OPTIONS} ${no_contraction})
 vtk_module_include(VTK::IsosurfaceRayTracing
   PUBLIC
     ${include_folders}
