@@ -29,9 +29,9 @@ Utilities/install-dependencies.sh invesalius-examples
 build=$PWD/build/examples
 
 # Only Debian's Python has the modules of Debian's VTK; another python3 may come before it in PATH.
-cmake -G Ninja -S . -B "$build/library" -DCMAKE_BUILD_TYPE=Release \
+cmake -G Ninja -S . -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_INSTALL_PREFIX="$build/prefix" -DPython3_EXECUTABLE=/usr/bin/python3
-cmake --build "$build/library" --target install
+cmake --build "$build" --target install
 
 /usr/bin/python3 Examples/Python/invesalius_to_metaimage.py \
   /usr/share/doc/invesalius-examples/examples/Cranium.inv3 "$build/data"

@@ -79,7 +79,7 @@ foreach (sample_type IN ITEMS
     std::int8_t std::uint8_t std::int16_t std::uint16_t std::int32_t std::uint32_t std::int64_t
     std::uint64_t float double)
   string(REPLACE "std::" "" name "${sample_type}")
-  set(source "${CMAKE_CURRENT_BINARY_DIR}/Core/TypedImageStructures_${name}.cxx")
+  set(source "${CMAKE_BINARY_DIR}/vtkIsosurfaceRayTracing/TypedImageStructures_${name}.cxx")
   configure_file("${CMAKE_CURRENT_LIST_DIR}/Core/Image/TypedImageStructures.cxx.in" "${source}" @ONLY)
   list(APPEND core_sources "${source}")
 endforeach ()
