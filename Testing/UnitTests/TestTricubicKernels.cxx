@@ -2,19 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The kernels of tricubic cells: compared with the interpolant by its definition, in higher
-// precision, and with each other bit for bit.
+// precision, and with each other bit for bit. The masks of blocks, with their cells one by one.
 
 #include "AllKernels.h"
 #include "Image/Cells/TricubicCell.h"
+#include "Image/Cells/TricubicField.h"
 #include "Kernels/Kernels.h"
 #include "Math/NonicRoots.h"
 #include "RandomNumbers.h"
+#include "RandomPlanes.h"
 #include "SameBits.h"
+#include "TestVolume.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -243,6 +251,94 @@ TEST_P(TricubicKernels, HaveTheSameBits)
       ASSERT_TRUE(AreSameBits(gradients[0][k], gradients[1][k]));
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/// Samples that may lie on both sides of isovalues around zero, and which a power of two scales:
+/// those of some types may be of any size, and not finite.
+template <typename T>
+std::vector<T> RandomVolume(RandomNumbers& random, const Index3& size, double& scale)
+{
+  std::vector<T> samples(static_cast<std::size_t>(size[0]) * size[1] * size[2]);
+  const bool isInteger = std::is_integral_v<T>;
+  const int kind = random.Integer(0, 2);
+  const int exponents[] = { -1070, -1000, -30, 0, 30, 1015 };
+  const int exponent = std::is_same_v<T, double> ? exponents[random.Integer(0, 5)] : 0;
+  const bool hasOthers = !isInteger && random.Integer(0, 3) == 0;
+  for (T& sample : samples)
+  {
+    const double number = kind == 0 ? random.Integer(-1, 1)
+      : kind == 1                   ? random.Uniform(-100.0, 100.0)
+                                    : 90.0 + random.Uniform(-1.0, 1.0);
+    sample = static_cast<T>(isInteger ? std::abs(number) : std::ldexp(number, exponent));
+    if (hasOthers && random.Integer(0, 99) == 0)
+    {
+      using Limits = std::numeric_limits<T>;
+      sample = random.Integer(0, 1) == 0 ? Limits::quiet_NaN() : Limits::infinity();
+    }
+  }
+  scale = std::ldexp(1.0, -exponent);
+  return samples;
+}
+
+/// Counts the cells of all masks, each of which is asked itself.
+template <typename T>
+void CompareMasks(const Kernels& kernels, RandomNumbers& random, int& cellsInMasks)
+{
+  const Index3 size = { random.Integer(2, 20), random.Integer(2, 12), random.Integer(2, 12) };
+  double scale = 1.0;
+  const auto volume = TestVolume<T>(size, RandomVolume<T>(random, size, scale));
+  TricubicField<T> field{ Samples<T>(volume.View()) };
+  std::optional<UnevenPlanes> planes;
+  if (random.Integer(0, 1) == 0)
+  {
+    planes = RandomPlanes(random, size, { 10.0, true });
+  }
+  field.SetPlanes(planes ? &*planes : nullptr);
+  std::vector<ScaledIsovalue> isovalues;
+  for (int i = random.Integer(1, 2); i > 0; --i)
+  {
+    // Equal to many samples, or to none.
+    const double values[] = { 0.0, 1.0, 90.0, random.Uniform(-100.0, 100.0) };
+    isovalues.push_back({ values[random.Integer(0, 3)] / scale, scale });
+  }
+  for (const Index3& block : { Index3{ 0, 0, 0 }, Index3{ 1, 0, 0 }, Index3{ 2, 1, 1 } })
+  {
+    const Index3 first = BlockMask::GetFirstCell(block);
+    if (first[0] >= size[0] - 1 || first[1] >= size[1] - 1 || first[2] >= size[2] - 1)
+    {
+      continue;
+    }
+    BlockMask mask;
+    field.MakeMask(kernels, block, isovalues, mask);
+    ForEachPlace({ 8, 8, 8 },
+      [&](const Index3& place)
+      {
+        const Index3 cell = { first[0] + place[0], first[1] + place[1], first[2] + place[2] };
+        const bool isInVolume =
+          cell[0] < size[0] - 1 && cell[1] < size[1] - 1 && cell[2] < size[2] - 1;
+        TricubicCell coefficients;
+        const bool mayPass = isInVolume &&
+          std::any_of(isovalues.begin(), isovalues.end(),
+            [&](const ScaledIsovalue& isovalue)
+            { return field.Load(kernels, cell, isovalue, coefficients); });
+        ASSERT_EQ(mask.Has(place), mayPass);
+        cellsInMasks += mayPass ? 1 : 0;
+      });
+  }
+}
+
+TEST_P(TricubicKernels, MasksHaveTheCellsThatSurfacesMayPass)
+{
+  RandomNumbers random(5);
+  int cells = 0;
+  for (int i = 0; i < 300 && !HasFatalFailure(); ++i)
+  {
+    CompareMasks<double>(this->TheKernels, random, cells);
+    CompareMasks<float>(this->TheKernels, random, cells);
+    CompareMasks<std::uint8_t>(this->TheKernels, random, cells);
+  }
+  EXPECT_GT(cells, 50000);
 }
 
 }

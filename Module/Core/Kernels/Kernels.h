@@ -9,6 +9,7 @@
 #include "Kernels/Frustum.h"
 #include "Kernels/LatticePlanes.h"
 #include "Kernels/ScatteredRays.h"
+#include "Kernels/TricubicBlock.h"
 #include "Rays/BoxGroup.h"
 #include "Rays/RayPacket.h"
 #include "Rays/RaysInBox.h"
@@ -482,6 +483,10 @@ struct Kernels
   /// they are on both sides.
   bool (*InterpolateSamples)(
     const double* const weights[3], const ScaledIsovalue& isovalue, double cell[64]);
+
+  /// Bounds the coefficients of the cells of a block, without an isovalue: the same as those of
+  /// InterpolateSamples, up to rounding.
+  void (*BoundTricubic)(const TricubicBlock& block, TricubicRanges& ranges);
 
   /// Finds the interpolant of a tricubic cell along the straight line from p to q, as a polynomial
   /// of the fraction of the way: that along the diagonal of the box [p, q]. There are convex

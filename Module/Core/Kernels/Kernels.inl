@@ -157,4 +157,4 @@ SIMD_INLINE void LoadCorner(
       { FindSegments<3, 0>, nullptr, nullptr, FindSegments<3, 3> },                                \
       { FindSegments<4, 0>, FindSegments<4, 1>, nullptr, nullptr, FindSegments<4, 4> } },          \
     IntegrateSegments, IntegrateMixture, IntegrateLitMixture, DrawSegments, KeepSegments,          \
-    FindSegmentsInCells, InterpolateSamples, RestrictCell, FindCellGradient }
+    FindSegmentsInCells, InterpolateSamples, BoundTricubic, RestrictCell, FindCellGradient }

@@ -60,6 +60,18 @@ private:
   unsigned int All = (1U << DoubleWidth) - 1U;
 };
 
+/// Replaces four samples in a row by the coefficients of the cell in their middle.
+SIMD_INLINE void MakeCoefficients(const Doubles w[4], Doubles c[4])
+{
+  const Doubles before = c[1] - c[0];
+  const Doubles within = c[2] - c[1];
+  const Doubles behind = c[3] - c[2];
+  c[0] = c[1];
+  c[3] = c[2];
+  c[1] = c[0] + (w[0] * before + w[1] * within);
+  c[2] = c[3] - (w[2] * within + w[3] * behind);
+}
+
 bool InterpolateSamples(
   const double* const weights[3], const ScaledIsovalue& isovalue, double cell[64])
 {
@@ -68,11 +80,11 @@ bool InterpolateSamples(
   Signs signs;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double* w = weights[axis];
+    const Doubles w[4] = { weights[axis][0], weights[axis][1], weights[axis][2], weights[axis][3] };
     double* to = axis == 2 ? cell : turned[axis];
     signs = {};
     ChangeLines<16>(from, to,
-      [axis, w, &isovalue, &signs](Doubles c[4])
+      [axis, &w, &isovalue, &signs](Doubles c[4])
       {
         for (int i = 0; axis == 0 && i < 4; ++i)
         {
@@ -80,18 +92,94 @@ bool InterpolateSamples(
             c[i] * isovalue.Scale - Doubles(isovalue.Isovalue * isovalue.Scale);
           c[i] = KeepSign(difference, c[i], isovalue.Isovalue);
         }
-        const Doubles before = c[1] - c[0];
-        const Doubles within = c[2] - c[1];
-        const Doubles behind = c[3] - c[2];
-        c[0] = c[1];
-        c[3] = c[2];
-        c[1] = c[0] + (w[0] * before + w[1] * within);
-        c[2] = c[3] - (w[2] * within + w[3] * behind);
+        MakeCoefficients(w, c);
         signs.Include(c);
       });
     from = to;
   }
   return signs.AreBoth();
+}
+
+/// Makes coefficients across rows of samples, of which four are taken, with the weights of one cell
+/// along that axis.
+template <int Length>
+SIMD_INLINE void CombineRows(const double* rows, const double (*weights)[TricubicBlock::Edge],
+  int cell, double (*coefficients)[Length])
+{
+  const Doubles w[4] = { weights[0][cell], weights[1][cell], weights[2][cell], weights[3][cell] };
+  for (int i = 0; i < Length; i += DoubleWidth)
+  {
+    Doubles c[4];
+    for (int k = 0; k < 4; ++k)
+    {
+      c[k] = Load(rows + Length * (cell + k) + i);
+    }
+    MakeCoefficients(w, c);
+    for (int k = 0; k < 4; ++k)
+    {
+      Store(c[k], coefficients[k] + i);
+    }
+  }
+}
+
+/// Extends the ranges of some cells, from x on, by the coefficients along four rows.
+SIMD_INLINE void IncludeRows(const double (*rows)[TricubicBlock::Row],
+  const double (*weights)[TricubicBlock::Edge], int x, Doubles& low, Doubles& high)
+{
+  Doubles w[4];
+  for (int k = 0; k < 4; ++k)
+  {
+    w[k] = Load(weights[k] + x);
+  }
+  for (int row = 0; row < 4; ++row)
+  {
+    Doubles c[4];
+    for (int k = 0; k < 4; ++k)
+    {
+      c[k] = Load(rows[row] + x + k);
+    }
+    MakeCoefficients(w, c);
+    low = Min(low, Min(Min(c[0], c[1]), Min(c[2], c[3])));
+    high = Max(high, Max(Max(c[0], c[1]), Max(c[2], c[3])));
+  }
+}
+
+// Along z and y, a vector has neighbours along x; along x, each of its lanes has a cell.
+void BoundTricubic(const TricubicBlock& block, TricubicRanges& ranges)
+{
+  constexpr int edge = TricubicBlock::Edge;
+  constexpr int row = TricubicBlock::Row;
+  constexpr int plane = TricubicBlock::SamplesPerEdge * row;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (int z = 0; z < edge; ++z)
+  {
+    alignas(64) double planes[4][plane];
+    CombineRows<plane>(block.Samples[0][0], block.Weights[2], z, planes);
+    // All rows are stored before the first is loaded again, at other places: that would have to
+    // wait.
+    alignas(64) double rows[edge][4][4][row];
+    for (int y = 0; y < edge; ++y)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        CombineRows<row>(planes[k], block.Weights[1], y, rows[y][k]);
+      }
+    }
+    for (int y = 0; y < edge; ++y)
+    {
+      for (int x = 0; x < edge; x += DoubleWidth)
+      {
+        Doubles low = infinity;
+        Doubles high = -infinity;
+        for (int k = 0; k < 4; ++k)
+        {
+          IncludeRows(rows[y][k], block.Weights[0], x, low, high);
+        }
+        Store(low, ranges.Low[z][y] + x);
+        Store(high, ranges.High[z][y] + x);
+      }
+    }
+  }
 }
 
 /// Replaces lines by the same cubics on their parts from begin to end: by the values of the blossom

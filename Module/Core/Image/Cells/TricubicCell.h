@@ -59,6 +59,10 @@ public:
   }
 
   /// Those of a cell, as kernels take them.
+  const double* Get(std::size_t axis, int cell) const
+  {
+    return this->Edges[axis][static_cast<std::size_t>(cell)].data();
+  }
   std::array<const double*, 3> Get(const Index3& cell) const
   {
     return { this->Get(0, cell[0]), this->Get(1, cell[1]), this->Get(2, cell[2]) };
@@ -96,11 +100,6 @@ private:
   static double SumOfWeights(double outer, double within)
   {
     return outer + std::abs(1.0 + outer - within) + within;
-  }
-
-  const double* Get(std::size_t axis, int cell) const
-  {
-    return this->Edges[axis][static_cast<std::size_t>(cell)].data();
   }
 
   std::array<std::vector<CubicEdge>, 3> Edges;

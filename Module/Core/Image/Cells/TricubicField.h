@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -52,7 +54,11 @@ public:
   {
     std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
     const Index3 first = BlockMask::GetFirstCell(block);
-    const BlockRanges ranges = this->GetRanges(first);
+    TricubicBlock around;
+    this->LoadBlock(first, around);
+    TricubicRanges ranges;
+    kernels.BoundTricubic(around, ranges);
+    const double rounding = this->GetRounding(around);
     const Index3& dimensions = this->TheSamples.GetDimensions();
     for (int z = 0; z < std::min(BlockMask::Edge, dimensions[2] - 1 - first[2]); ++z)
     {
@@ -60,13 +66,18 @@ public:
       {
         for (int x = 0; x < std::min(BlockMask::Edge, dimensions[0] - 1 - first[0]); ++x)
         {
-          const ValueRange<T>& range = ranges[Offset({ x, y, z }, RangesSize)];
           const bool has = std::any_of(isovalues.begin(), isovalues.end(),
             [&](const ScaledIsovalue& isovalue)
             {
+              // Where rounding may decide, or samples are not finite, the cell is asked itself.
+              const double margin = rounding + 1e-12 * std::abs(isovalue.Isovalue);
+              const double below = isovalue.Isovalue - ranges.Low[z][y][x];
+              const double above = ranges.High[z][y][x] - isovalue.Isovalue;
               TricubicCell cell;
-              return range.Straddles(isovalue.Isovalue, this->Edges.GetOvershoot()) &&
-                this->Load(kernels, { first[0] + x, first[1] + y, first[2] + z }, isovalue, cell);
+              return (below > margin && above > margin) ||
+                (!(below < -margin || above < -margin) &&
+                  this->Load(
+                    kernels, { first[0] + x, first[1] + y, first[2] + z }, isovalue, cell));
             });
           mask.Slices[2][z] |= static_cast<std::uint64_t>(has) << (x + BlockMask::Edge * y);
         }
@@ -146,42 +157,65 @@ private:
     return checks[0] + checks[1] + checks[2] + checks[3] == 0.0;
   }
 
-  /// For the cells of a block, x fastest, the ranges of the 4^3 samples around them.
-  static constexpr Index3 RangesSize = { BlockMask::Edge + 3, BlockMask::Edge + 3,
-    BlockMask::Edge + 3 };
-  using BlockRanges = std::array<ValueRange<T>, RangesSize[0] * RangesSize[1] * RangesSize[2]>;
-
-  /// At first each sample has a range of its own, from the one before the block on. Then, along one
-  /// axis after the other, each takes in the next three.
-  BlockRanges GetRanges(const Index3& first) const
+  /// Reads the samples around the cells of a block, and their weights. Beyond the volume, cells
+  /// have none.
+  void LoadBlock(const Index3& first, TricubicBlock& block) const
   {
-    BlockRanges ranges;
-    std::size_t i = 0;
-    for (int z = 0; z < RangesSize[2]; ++z)
+    constexpr int count = TricubicBlock::SamplesPerEdge;
+    std::ptrdiff_t offsets[3][count];
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      for (int y = 0; y < RangesSize[1]; ++y)
+      for (int i = 0; i < count; ++i)
       {
-        for (int x = 0; x < RangesSize[0]; ++x)
+        offsets[axis][i] = this->FindNearest(axis, first[axis] + i - 1) *
+          this->TheSamples.GetStride(static_cast<int>(axis));
+      }
+      const int cells =
+        std::min(TricubicBlock::Edge, this->TheSamples.GetDimensions()[axis] - 1 - first[axis]);
+      for (int i = 0; i < cells; ++i)
+      {
+        const double* edge = this->Edges.Get(axis, first[axis] + i);
+        for (int k = 0; k < 4; ++k)
         {
-          const T sample = *this->TheSamples.At({ this->FindNearest(0, first[0] + x - 1),
-            this->FindNearest(1, first[1] + y - 1), this->FindNearest(2, first[2] + z - 1) });
-          ranges[i++].Include(sample, sample);
+          block.Weights[axis][k][i] = edge[k];
         }
       }
     }
-    std::size_t step = 1;
-    for (const int length : RangesSize)
+    const T* origin = this->TheSamples.At({ 0, 0, 0 });
+    for (int z = 0; z < count; ++z)
     {
-      for (i = 0; i + 3 * step < ranges.size(); ++i)
+      for (int y = 0; y < count; ++y)
       {
-        for (std::size_t next = i + step; next <= i + 3 * step; next += step)
+        const T* row = origin + offsets[1][y] + offsets[2][z];
+        for (int x = 0; x < count; ++x)
         {
-          ranges[i].Include(ranges[next].Min, ranges[next].Max);
+          block.Samples[z][y][x] = static_cast<double>(row[offsets[0][x]]);
         }
       }
-      step *= static_cast<std::size_t>(length);
     }
-    return ranges;
+  }
+
+  /// More than rounding can change coefficients of a block, in whatever order they are made.
+  /// Infinite where samples are not finite, or too large for that.
+  double GetRounding(const TricubicBlock& block) const
+  {
+    const double weights = 1.0 + 2.0 * this->Edges.GetOvershoot();
+    const double limit = 1e300 / weights;
+    double largest = 0.0;
+    bool areBelow = true;
+    for (const auto& plane : block.Samples)
+    {
+      for (const auto& row : plane)
+      {
+        for (const double sample : row)
+        {
+          largest = std::max(largest, std::abs(sample));
+          areBelow = areBelow && std::abs(sample) < limit;
+        }
+      }
+    }
+    return areBelow ? 1e-12 * weights * largest + std::numeric_limits<double>::min()
+                    : std::numeric_limits<double>::infinity();
   }
 
   Samples<T> TheSamples;
