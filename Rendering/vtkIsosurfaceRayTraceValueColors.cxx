@@ -38,6 +38,7 @@ void CopySteps(
 vtkSmartPointer<vtkColorTransferFunction> Copy(vtkColorTransferFunction* function)
 {
   auto copy = vtk::TakeSmartPointer(function->NewInstance());
+  copy->SetAllowDuplicateScalars(function->GetAllowDuplicateScalars());
   copy->DeepCopy(function);
   copy->SetNanColor(function->GetNanColor());
   copy->SetBelowRangeColor(function->GetBelowRangeColor());
@@ -57,6 +58,7 @@ vtkSmartPointer<vtkColorTransferFunction> Copy(vtkColorTransferFunction* functio
 vtkSmartPointer<vtkPiecewiseFunction> Copy(vtkPiecewiseFunction* function)
 {
   auto copy = vtk::TakeSmartPointer(function->NewInstance());
+  copy->SetAllowDuplicateScalars(function->GetAllowDuplicateScalars());
   copy->DeepCopy(function);
   copy->SetUseLogScale(function->GetUseLogScale());
   return copy;

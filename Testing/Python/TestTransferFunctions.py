@@ -134,6 +134,22 @@ class TestTransferFunctions(unittest.TestCase):
         colors.IndexedLookupOn()  # Values without an annotation have the colour of NaN.
         self.check_projection(volume)
 
+    def test_functions_that_jump(self):
+        pictures = []
+        for red_behind in (0.9, 0.2):
+            volume = make_volume()
+            colors, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
+            colors.AllowDuplicateScalarsOn()
+            opacity.AllowDuplicateScalarsOn()
+            for value, red in ((0.0, 0.2), (155.0, 0.2), (155.0, red_behind), (300.0, red_behind)):
+                colors.AddRGBPoint(value, red, 0.4, 0.6)
+                opacity.AddPoint(value, 1.1 - red)
+            volume.GetProperty().SetColor(colors)
+            volume.GetProperty().SetScalarOpacity(opacity)
+            pictures.append(pixels(volume))
+            self.check_projection(volume)
+        self.assertEqual(*pictures)  # The surface of 150 is before the jump.
+
     def test_discrete_colors(self):
         volume = make_volume()
         colors = make_colors(vtkDiscretizableColorTransferFunction)
