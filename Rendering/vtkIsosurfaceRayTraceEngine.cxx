@@ -596,14 +596,7 @@ try
       "output.");
     return false;
   }
-  output->Initialize();
-  const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
-  const vtkIsosurfaceRayTraceReporter::Scope scope(this->Reporter, use, volume, nullptr);
-  const auto request = use.IsAllowed() ? this->MakeCompleteRequest(use, volume) : nullptr;
-  if (!request)
-  {
-    return false;
-  }
+  // Those may be of the output.
   const auto count = static_cast<std::size_t>(origins->GetNumberOfPoints());
   std::vector<vtkirt::Vector3> from(count);
   std::vector<vtkirt::Vector3> along(count);
@@ -611,6 +604,14 @@ try
   {
     origins->GetPoint(static_cast<vtkIdType>(i), from[i].data());
     directions->GetTuple(static_cast<vtkIdType>(i), along[i].data());
+  }
+  output->Initialize();
+  const vtkIsosurfaceRayTraceUse use(this->Mapper, this->Uses);
+  const vtkIsosurfaceRayTraceReporter::Scope scope(this->Reporter, use, volume, nullptr);
+  const auto request = use.IsAllowed() ? this->MakeCompleteRequest(use, volume) : nullptr;
+  if (!request)
+  {
+    return false;
   }
   const vtkirt::RayHits hits = vtkIsosurfaceRayTraceHits(*request).Cast(from, along,
     std::numeric_limits<double>::infinity(), this->TheClient.GetSettings().NumberOfThreads);

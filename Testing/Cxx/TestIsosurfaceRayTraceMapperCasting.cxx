@@ -280,6 +280,33 @@ void CheckAgainstWindow(Checks& check)
   check.Near(worst, 0.0, 2e-6, "the distance between hit and pixel");
 }
 
+/// Rays go on where others hit: their origins and directions are of the output.
+void CheckCastingOn(Checks& check)
+{
+  Bench bench(NewBall(9, 0.5));
+  const double direction[3] = { 0.0, 0.0, 1.0 };
+  vtkNew<vtkPoints> origins;
+  vtkNew<vtkDoubleArray> directions;
+  MakeRays(direction, origins, directions);
+  vtkNew<vtkPolyData> hits;
+  check.That(bench.Mapper->CastRays(bench.Volume, origins, directions, hits), "rays are cast");
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(hits);
+  vtkNew<vtkPolyData> expected;
+  bench.Mapper->CastRays(
+    bench.Volume, copy->GetPoints(), copy->GetPointData()->GetNormals(), expected);
+  check.That(bench.Mapper->CastRays(
+               bench.Volume, hits->GetPoints(), hits->GetPointData()->GetNormals(), hits),
+    "rays are cast on");
+  check.That(hits->GetNumberOfPoints() > 0, "they hit something");
+  check.Equal(
+    hits->GetNumberOfPoints(), expected->GetNumberOfPoints(), "the hits of rays from hits");
+  for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i)
+  {
+    check.Equal(hits->GetPoint(i)[2], expected->GetPoint(i)[2], "a place");
+  }
+}
+
 void CheckErrors(Checks& check)
 {
   Bench bench(NewBall(9, 0.5));
@@ -317,6 +344,7 @@ int TestIsosurfaceRayTraceMapperCasting(int, char*[])
   CheckSurfaceBounds(check);
   CheckBoundsOfSmall(check);
   CheckAgainstWindow(check);
+  CheckCastingOn(check);
   CheckErrors(check);
   return check.Result();
 }
