@@ -36,7 +36,8 @@ namespace
 
 using Lists = vtkIsosurfaceRayTraceGridLists;
 
-/// VTK 9.1 evaluates Bezier cells in memory that all threads have in common.
+/// VTK 9.1 reads the weights of Bezier cells, and evaluates them, in memory that all threads have
+/// in common.
 std::unique_lock<std::mutex> LockEvaluation(int type)
 {
   static std::mutex mutex;
@@ -66,11 +67,26 @@ vtkMTimeType FindOwnTime(vtkPointSet* grid)
     grid->GetCellData()->vtkObject::GetMTime() });
 }
 
+/// An array of cells as vtkCellDataToPointData takes it: VTK 9.1 leaves out ids, and averages bits
+/// to what is in memory.
+vtkSmartPointer<vtkDataArray> MakeAveraged(vtkDataArray* array)
+{
+  if (array->GetDataType() == VTK_ID_TYPE || array->GetDataType() == VTK_BIT)
+  {
+    auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
+    numbers->DeepCopy(array);
+    return numbers;
+  }
+  auto copy = vtk::TakeSmartPointer(array->NewInstance());
+  copy->ShallowCopy(array);
+  return copy;
+}
+
 /// The objects of a grid that are traced. Some may be null.
 std::vector<vtkObject*> FindParts(vtkPointSet* grid, vtkDataArray* scalars)
 {
   std::vector<vtkObject*> parts = { scalars, grid->GetPoints(), grid->GetCellGhostArray(),
-    grid->GetPointGhostArray() };
+    grid->GetPointGhostArray(), grid->GetCellData()->GetHigherOrderDegrees() };
   if (auto* listed = vtkUnstructuredGrid::SafeDownCast(grid))
   {
     parts.insert(parts.end(), { listed->GetCells(), Lists::GetTypes(listed) });
@@ -190,8 +206,7 @@ void vtkIsosurfaceRayTraceMeshPart::SelectValues(int threads)
     // The averages are those of VTK.
     auto copy = vtk::TakeSmartPointer(this->GetGrid()->NewInstance());
     copy->CopyStructure(this->GetGrid());
-    auto array = vtk::TakeSmartPointer(this->Scalars.Array->NewInstance());
-    array->ShallowCopy(this->Scalars.Array);
+    const vtkSmartPointer<vtkDataArray> array = MakeAveraged(this->Scalars.Array);
     array->SetName("values");
     copy->GetCellData()->AddArray(array);
     vtkNew<vtkCellDataToPointData> average;
@@ -371,13 +386,13 @@ void vtkIsosurfaceRayTraceMeshPart::MoveToWholeCell(
     parametric = FindPlaceInBox(grid, cell, position);
     return;
   }
+  const std::unique_lock<std::mutex> lock = LockEvaluation(grid->GetCellType(cell));
   grid->GetCell(cell, any);
   std::vector<double> weights(static_cast<std::size_t>(any->GetNumberOfPoints()));
   vtkirt::Vector3 closest;
   vtkirt::Vector3 found;
   double distance = 0.0;
   int subId = 0;
-  const std::unique_lock<std::mutex> lock = LockEvaluation(any->GetCellType());
   if (any->EvaluatePosition(
         position.data(), closest.data(), subId, found.data(), distance, weights.data()) >= 0)
   {

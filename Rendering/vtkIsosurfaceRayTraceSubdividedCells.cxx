@@ -139,7 +139,8 @@ std::string vtkIsosurfaceRayTraceSubdividedCells::Subdivide(vtkUnstructuredGrid*
     if (block.FirstBad >= 0)
     {
       return "Cell " + std::to_string(block.FirstBad) +
-        " has a wrong number of points, or a face of it has.";
+        " has a wrong number of points, or a face of it has, or its HigherOrderDegrees or "
+        "RationalWeights do not fit them.";
     }
     const vtkIdType firstCenter =
       grid->GetNumberOfPoints() + static_cast<vtkIdType>(this->Centers.size());

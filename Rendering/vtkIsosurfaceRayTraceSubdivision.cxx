@@ -3,12 +3,14 @@
 #include "vtkIsosurfaceRayTraceSubdivision.h"
 
 #include "vtkCell.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
 #include "vtkHigherOrderHexahedron.h"
 #include "vtkHigherOrderWedge.h"
 #include "vtkIdList.h"
 #include "vtkOrderedTriangulator.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkTetra.h"
@@ -153,6 +155,74 @@ const int* FindOrder(vtkCell* cell)
   return wedge ? wedge->GetOrder() : nullptr;
 }
 
+bool IsHexahedron(int type)
+{
+  return type == VTK_LAGRANGE_HEXAHEDRON || type == VTK_BEZIER_HEXAHEDRON;
+}
+
+bool IsWedge(int type)
+{
+  return type == VTK_LAGRANGE_WEDGE || type == VTK_BEZIER_WEDGE;
+}
+
+/// Whether a tetrahedron of any order may have a number of points; with 15, it has one in each face
+/// and one within.
+bool MayTetrahedronHave(vtkIdType points)
+{
+  vtkIdType ofOrder = 0;
+  for (vtkIdType order = 1; ofOrder < points; ++order)
+  {
+    ofOrder = (order + 1) * (order + 2) * (order + 3) / 6;
+  }
+  return points > 0 && (points == ofOrder || points == 15);
+}
+
+/// How many points the degrees of a hexahedron or wedge ask for; 0 if it cannot have them.
+double CountPoints(bool isWedge, const double degrees[3], vtkIdType points)
+{
+  const bool areWhole = std::all_of(degrees, degrees + 3,
+    [](double degree) { return degree >= 1.0 && degree == std::floor(degree); });
+  if (!areWhole || (isWedge && degrees[0] != degrees[1]))
+  {
+    return 0.0;
+  }
+  // A quadratic wedge may have one in each face and one within, too.
+  if (isWedge && points == 21)
+  {
+    return degrees[0] == 2.0 && degrees[2] == 2.0 ? 21.0 : 0.0;
+  }
+  return (degrees[0] + 1.0) * (degrees[2] + 1.0) *
+    (isWedge ? 0.5 * (degrees[0] + 2.0) : degrees[1] + 1.0);
+}
+
+/// Whether the degrees and weights that a grid has for a Lagrange or Bezier cell fit its points.
+/// VTK trusts them.
+bool HasFittingArrays(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdType points)
+{
+  const int type = grid->GetCellType(cell);
+  const bool isBezier = type >= VTK_BEZIER_TETRAHEDRON && type <= VTK_BEZIER_PYRAMID;
+  vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
+  if (isBezier && weights && weights->GetNumberOfTuples() < grid->GetNumberOfPoints())
+  {
+    return false;
+  }
+  vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
+  if (!degrees || !(IsHexahedron(type) || IsWedge(type)))
+  {
+    return true;
+  }
+  if (degrees->GetNumberOfComponents() != 3 || degrees->GetNumberOfTuples() <= cell)
+  {
+    return false;
+  }
+  double ofCell[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    ofCell[i] = degrees->GetComponent(cell, i);
+  }
+  return CountPoints(IsWedge(type), ofCell, points) == static_cast<double>(points);
+}
+
 /// Whether a list of faces, as in vtkUnstructuredGrid::GetFaceStream, has faces of at least three
 /// points each, and these are of a grid.
 bool AreFaces(vtkIdList* faces, vtkIdType points)
@@ -238,6 +308,7 @@ vtkIsosurfaceRayTraceSubdivision::vtkIsosurfaceRayTraceSubdivision(int type)
 {
   this->IsPolyhedron = type == VTK_POLYHEDRON;
   this->IsPrism = type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM;
+  this->IsTetrahedron = type == VTK_LAGRANGE_TETRAHEDRON || type == VTK_BEZIER_TETRAHEDRON;
   this->IsTriangulatedByPoints = type == VTK_CONVEX_POINT_SET || type == VTK_QUADRATIC_PYRAMID;
   // Cells of later types may have any number of points.
   if (this->HasVolume && type < VTK_CONVEX_POINT_SET)
@@ -322,7 +393,8 @@ bool vtkIsosurfaceRayTraceSubdivision::FindParts(
   vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* points, vtkIdList* ids)
 {
   ids->Reset();
-  if (!this->MayHave(points->GetNumberOfIds()))
+  const vtkIdType count = points->GetNumberOfIds();
+  if (!this->MayHave(count) || (this->IsTetrahedron && !MayTetrahedronHave(count)))
   {
     return false;
   }
@@ -332,6 +404,10 @@ bool vtkIsosurfaceRayTraceSubdivision::FindParts(
   }
   if (!this->AreAlike)
   {
+    if (!HasFittingArrays(grid, cell, count))
+    {
+      return false;
+    }
     grid->GetCell(cell, this->Cell);
     if (!this->DivideCell(this->Cell, ids))
     {

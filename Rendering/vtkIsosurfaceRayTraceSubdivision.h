@@ -46,8 +46,9 @@ public:
 
   /// Finds the ids of the corners of the parts of a cell, one part after the other, given those of
   /// its points. Returns false if the number of points is not that of the type, or of the order of
-  /// the cell, or a face of a polyhedron has fewer than three, or others than the grid. The centre
-  /// of a polyhedron is vtkIsosurfaceRayTracePolyhedron::Center.
+  /// the cell or its degrees, weights of its points are missing, or a face of a polyhedron has
+  /// fewer than three, or others than the grid. The centre of a polyhedron is
+  /// vtkIsosurfaceRayTracePolyhedron::Center.
   bool FindParts(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* points, vtkIdList* ids);
 
   /// Whether the parts of the last cell are those of the convex hull of a cell that is not convex.
@@ -70,6 +71,8 @@ private:
   vtkIdType Points = 0;
   int PartType;
   bool IsPolyhedron = false;
+  /// Of any order.
+  bool IsTetrahedron = false;
   bool HasHull = false;
   bool IsPrism = false;
   bool IsTriangulatedByPoints = false;

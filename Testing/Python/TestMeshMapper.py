@@ -13,14 +13,17 @@ from random import Random
 
 from vtkmodules.vtkCommonCore import (
     mutable,
+    vtkBitArray,
     vtkCommand,
     vtkDoubleArray,
     vtkIdList,
+    vtkIdTypeArray,
     vtkPoints,
     vtkUnsignedCharArray,
 )
 from vtkmodules.vtkCommonDataModel import (
     VTK_BEZIER_HEXAHEDRON,
+    VTK_BEZIER_TETRAHEDRON,
     VTK_BEZIER_WEDGE,
     VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON,
     VTK_BIQUADRATIC_QUADRATIC_WEDGE,
@@ -28,6 +31,7 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_HEXAGONAL_PRISM,
     VTK_LAGRANGE_HEXAHEDRON,
+    VTK_LAGRANGE_TETRAHEDRON,
     VTK_LAGRANGE_TETRAHEDRON,
     VTK_LAGRANGE_WEDGE,
     VTK_POLYHEDRON,
@@ -93,6 +97,24 @@ def make_cells(shape, value):
         grid.InsertNextCell(shape, len(ids), ids)
     grid.SetPoints(points)
     return set_values(grid, value)
+
+
+def make_random_cell(shape, count):
+    random = Random(3)
+    grid, points = vtkUnstructuredGrid(), vtkPoints()
+    for _ in range(max(count, 1)):
+        points.InsertNextPoint(random.random(), random.random(), random.random())
+    grid.SetPoints(points)
+    grid.InsertNextCell(shape, count, range(count))
+    return set_values(grid, ball)
+
+
+def make_tuple(numbers):
+    """An array of one."""
+    array = vtkDoubleArray()
+    array.SetNumberOfComponents(len(numbers))
+    array.InsertNextTuple(numbers)
+    return array
 
 
 def make_prism(polygon, value):
@@ -443,15 +465,42 @@ class TestMeshMapper(unittest.TestCase):
         for shape in (VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_BEZIER_HEXAHEDRON, VTK_BEZIER_WEDGE):
             for count in (1, 9, 26):
                 with self.subTest(shape=shape, count=count):
-                    random = Random(3)
-                    grid, points = vtkUnstructuredGrid(), vtkPoints()
-                    for _ in range(count):
-                        points.InsertNextPoint(random.random(), random.random(), random.random())
-                    grid.SetPoints(points)
-                    grid.InsertNextCell(shape, count, range(count))
-                    mapper, volume = make_volume(set_values(grid, ball), 0.0)
+                    mapper, volume = make_volume(make_random_cell(shape, count), 0.0)
                     messages = errors_of(mapper, lambda m=mapper, v=volume: cast(m, v, parallel_rays()))
                     self.assertIn("Cell 0 has a wrong number of points", messages[0])
+
+    def test_wrong_number_of_points_of_a_tetrahedron_of_any_order(self):
+        """VTK crashes where it triangulates them."""
+        for shape in (VTK_LAGRANGE_TETRAHEDRON, VTK_BEZIER_TETRAHEDRON):
+            for count in (0, 1, 2, 3, 5, 9, 11, 21):
+                with self.subTest(shape=shape, count=count):
+                    mapper, volume = make_volume(make_random_cell(shape, count), 0.0)
+                    messages = errors_of(mapper, lambda m=mapper, v=volume: cast(m, v, parallel_rays()))
+                    self.assertIn("Cell 0 has a wrong number of points", messages[0])
+
+    def test_degrees_and_weights_that_do_not_fit(self):
+        """VTK trusts them, and writes beyond its memory."""
+        for shape, count in ((VTK_LAGRANGE_HEXAHEDRON, 27), (VTK_BEZIER_HEXAHEDRON, 27), (VTK_LAGRANGE_WEDGE, 18),
+                             (VTK_BEZIER_WEDGE, 18)):  # fmt: skip
+            for degrees in ((2, 2, 3), (1, 1, 1), (2.5, 2, 2), (0, 2, 2), (-3, -3, 2), (math.nan, 2, 2), None):
+                with self.subTest(shape=shape, degrees=degrees):
+                    grid = make_random_cell(shape, count)
+                    array = make_tuple(degrees or (2, 2, 2))
+                    array.SetNumberOfTuples(1 if degrees else 0)
+                    grid.GetCellData().SetHigherOrderDegrees(array)
+                    mapper, volume = make_volume(grid, 0.0)
+                    messages = errors_of(mapper, lambda m=mapper, v=volume: cast(m, v, parallel_rays()))
+                    self.assertIn("Cell 0 has a wrong number of points", messages[0])
+        for shape, count in ((VTK_LAGRANGE_HEXAHEDRON, 27), (VTK_LAGRANGE_WEDGE, 18), (VTK_LAGRANGE_WEDGE, 21)):
+            grid = make_random_cell(shape, count)
+            grid.GetCellData().SetHigherOrderDegrees(make_tuple((2, 2, 2)))
+            mapper, volume = make_volume(grid, 0.0)
+            self.assertEqual(errors_of(mapper, lambda m=mapper, v=volume: cast(m, v, parallel_rays())), [])
+        grid = make_random_cell(VTK_BEZIER_HEXAHEDRON, 27)
+        grid.GetPointData().SetRationalWeights(make_tuple([1.0]))
+        mapper, volume = make_volume(grid, 0.0)
+        messages = errors_of(mapper, lambda: cast(mapper, volume, parallel_rays()))
+        self.assertIn("RationalWeights", messages[0])
 
     def test_convex_point_sets_divide_a_face_alike(self):
         """A ray that comes from below the isovalue, and gets there again, has as many hits that enter as hits that
@@ -647,6 +696,23 @@ print(len(cast(*make_volume(make_grid({VTK_BEZIER_WEDGE}, plane), 3.3), rays)))
         self.assertEqual([hit[0] for hit in hits], [hit[0] for hit in expected])
         for hit, other in zip(hits, expected):
             self.assertAlmostEqual(hit[1], other[1], delta=1e-12)
+
+    def test_scalars_of_cells_of_any_type(self):
+        """VTK 9.1 does not average ids and bits."""
+        grid = make_grid(VTK_HEXAHEDRON, ball)
+        grid.GetPointData().Initialize()
+        for kind in (vtkIdTypeArray, vtkBitArray):
+            with self.subTest(kind.__name__):
+                hits = []
+                for scalars in (kind(), vtkDoubleArray()):
+                    for i in range(grid.GetNumberOfCells()):
+                        scalars.InsertNextTuple1(1 if i % 7 < 3 else 0)
+                    grid.GetCellData().SetScalars(scalars)
+                    hits.append(cast(*make_volume(grid, 0.4), parallel_rays()))
+                self.assertGreater(len(hits[0]), 40)
+                self.assertEqual([hit[0] for hit in hits[0]], [hit[0] for hit in hits[1]])
+                for hit, other in zip(*hits):
+                    self.assertAlmostEqual(hit[1], other[1], delta=1e-12)
 
     def test_pictures_picks_and_rays_agree(self):
         mapper, volume = make_volume(make_grid(VTK_WEDGE, ball), 0.0, -0.5)
