@@ -47,6 +47,9 @@ bool vtkIsosurfaceRayTracePolyhedron::Divide(
   vtkPoints* points, vtkIdList* ofCell, vtkIdList* faces, vtkIdList* ids)
 {
   this->Triangles.clear();
+  this->Outlines.clear();
+  this->Edges.clear();
+  this->Faces.clear();
   const Vector3 center = FindMean(points, ofCell);
   const vtkIdType* face = faces->GetPointer(1);
   for (vtkIdType left = faces->GetId(0); left > 0; --left)
@@ -54,9 +57,10 @@ bool vtkIsosurfaceRayTracePolyhedron::Divide(
     const auto count = static_cast<std::size_t>(*face);
     this->LoadFace(points, face + 1, count);
     this->CutFace(center);
+    this->AddOutline();
     face += 1 + count;
   }
-  this->TurnTriangles();
+  this->TurnFaces();
   ids->Reset();
   double inside = 0.0;
   double outside = 0.0;
@@ -67,12 +71,14 @@ bool vtkIsosurfaceRayTracePolyhedron::Divide(
     {
       ids->InsertNextId(corner);
     }
-    (triangle.Sign * triangle.Volume < 0.0 ? outside : inside) += std::abs(triangle.Volume);
+    const double sign = this->Outlines[triangle.Face].Sign;
+    (sign * triangle.Volume < 0.0 ? outside : inside) += std::abs(triangle.Volume);
   }
   this->Volume = inside + outside;
-  // Points are rounded.
-  constexpr double rounding = 1e-6;
-  return std::min(inside, outside) <= rounding * this->Volume;
+  // Where edges with points on them are bent a little, or rounded, some triangles are seen from
+  // outside. Neighbours have the same: so their tetrahedra still fit together, as others do not.
+  constexpr double few = 1e-2;
+  return std::min(inside, outside) <= few * this->Volume;
 }
 
 //------------------------------------------------------------------------------
@@ -153,14 +159,17 @@ bool vtkIsosurfaceRayTracePolyhedron::CutEars(const Vector3& center)
   }
   for (vtkIdType i = 0; i + 3 <= this->Cut->GetNumberOfIds(); i += 3)
   {
-    const auto get = [&](vtkIdType k) { return static_cast<std::size_t>(this->Cut->GetId(i + k)); };
+    // In the order of their numbers corners run as the outline does.
+    vtkIdType* corners = this->Cut->GetPointer(i);
+    std::sort(corners, corners + 3);
+    const auto get = [corners](int k) { return static_cast<std::size_t>(corners[k]); };
     this->AddTriangle(center, get(0), get(1), get(2));
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-/// Adds a triangle of the face, given the numbers of its corners.
+/// Adds a triangle of the face, given the numbers of its corners, in the order of the outline.
 void vtkIsosurfaceRayTracePolyhedron::AddTriangle(
   const Vector3& center, std::size_t a, std::size_t b, std::size_t c)
 {
@@ -168,23 +177,29 @@ void vtkIsosurfaceRayTracePolyhedron::AddTriangle(
   const Vector3 normal =
     vtkirt::Cross(corners[b].Place - corners[a].Place, corners[c].Place - corners[a].Place);
   this->Triangles.push_back({ { corners[a].Id, corners[b].Id, corners[c].Id },
-    vtkirt::Dot(normal, corners[a].Place - center) / 6.0 });
+    vtkirt::Dot(normal, corners[a].Place - center) / 6.0, this->Outlines.size() });
+}
+
+//------------------------------------------------------------------------------
+/// Adds that of the face, and its edges.
+void vtkIsosurfaceRayTracePolyhedron::AddOutline()
+{
+  const std::size_t first = this->Edges.size();
+  const std::size_t count = this->Face.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const vtkIdType begin = this->Face[i].Id;
+    const auto [less, greater] = std::minmax({ begin, this->Face[(i + 1) % count].Id });
+    this->Edges.push_back({ less, greater, first + i });
+    this->Faces.push_back({ begin, this->Outlines.size() });
+  }
+  this->Outlines.push_back({ first, first + count - 1 });
 }
 
 //------------------------------------------------------------------------------
 /// Finds which edges are the same.
 void vtkIsosurfaceRayTracePolyhedron::SortEdges()
 {
-  this->Edges.clear();
-  for (const Triangle& triangle : this->Triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto [less, greater] =
-        std::minmax({ triangle.Corners[k], triangle.Corners[(k + 1) % 3] });
-      this->Edges.push_back({ less, greater, this->Edges.size() });
-    }
-  }
   std::sort(this->Edges.begin(), this->Edges.end());
   this->NextOfEdge.resize(this->Edges.size());
   for (auto begin = this->Edges.begin(); begin != this->Edges.end();)
@@ -200,24 +215,26 @@ void vtkIsosurfaceRayTracePolyhedron::SortEdges()
 }
 
 //------------------------------------------------------------------------------
-/// Turns triangles the same way as the first one: across an edge in common they run against each
-/// other. (Those of faces in files run as they like.)
-void vtkIsosurfaceRayTracePolyhedron::TurnTriangles()
+/// Turns faces the same way as the first one: across an edge in common they run against each other.
+/// (Those in files run as they like.) Their outlines tell: where faces have several edges in
+/// common, they may be cut along the same line within.
+void vtkIsosurfaceRayTracePolyhedron::TurnFaces()
 {
   this->SortEdges();
-  this->AreKnown.assign(this->Triangles.size(), false);
-  this->Waiting.assign(std::min<std::size_t>(1, this->Triangles.size()), 0);
+  this->AreKnown.assign(this->Outlines.size(), false);
+  this->Waiting.assign(std::min<std::size_t>(1, this->Outlines.size()), 0);
   while (!this->Waiting.empty())
   {
     const std::size_t number = this->Waiting.back();
+    const Outline& outline = this->Outlines[number];
     this->AreKnown[number] = true;
     this->Waiting.pop_back();
-    for (std::size_t own = 3 * number; own < 3 * number + 3; ++own)
+    for (std::size_t own = outline.FirstEdge; own <= outline.LastEdge; ++own)
     {
       // Those that are the same follow each other in a circle.
       for (std::size_t edge = this->NextOfEdge[own]; edge != own; edge = this->NextOfEdge[edge])
       {
-        const std::size_t other = edge / 3;
+        const std::size_t other = this->Faces[edge].Face;
         if (!this->AreKnown[other])
         {
           this->AreKnown[other] = true;
@@ -230,13 +247,12 @@ void vtkIsosurfaceRayTracePolyhedron::TurnTriangles()
 }
 
 //------------------------------------------------------------------------------
-/// Turns the triangle of the second edge, if both run along the edge.
+/// Turns the face of the second edge, if both run along the edge.
 void vtkIsosurfaceRayTracePolyhedron::TurnAgainst(std::size_t one, std::size_t edge)
 {
-  const Triangle& first = this->Triangles[one / 3];
-  Triangle& second = this->Triangles[edge / 3];
-  const bool areSame = first.Corners[one % 3] == second.Corners[edge % 3];
-  second.Sign = areSame ? -first.Sign : first.Sign;
+  const double sign = this->Outlines[this->Faces[one].Face].Sign;
+  const bool areSame = this->Faces[one].Begin == this->Faces[edge].Begin;
+  this->Outlines[this->Faces[edge].Face].Sign = areSame ? -sign : sign;
 }
 
 VTK_ABI_NAMESPACE_END

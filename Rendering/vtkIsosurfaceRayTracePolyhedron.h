@@ -37,8 +37,8 @@ public:
 
   /// Finds the ids of the corners of the tetrahedra, one after the other, given the points of the
   /// mesh, the ids of those of the cell, and its faces as in vtkUnstructuredGrid::GetFaceStream,
-  /// each of at least three points. Returns false if they overlap: the centre does not see all
-  /// faces from inside.
+  /// each of at least three points. Returns false if they overlap by more than a hundredth of
+  /// their volume: the centre does not see all faces from inside.
   bool Divide(vtkPoints* points, vtkIdList* ofCell, vtkIdList* faces, vtkIdList* ids);
 
   /// The volume of these tetrahedra.
@@ -47,17 +47,25 @@ public:
 private:
   using Vector3 = vtkIsosurfaceRayTracing::Vector3;
 
-  /// Of a face, and the volume of its tetrahedron: less than 0 if it is seen from the other side.
-  /// The sign is less than 0 if it must be turned, to run as the others.
+  /// Of a face, running as its outline does, and the volume of its tetrahedron: less than 0 if it
+  /// is seen from the other side.
   struct Triangle
   {
     vtkIdType Corners[3];
     double Volume;
+    std::size_t Face;
+  };
+
+  /// The numbers of the edges of a face. The sign is less than 0 if it must be turned, to run as
+  /// the others.
+  struct Outline
+  {
+    std::size_t FirstEdge;
+    std::size_t LastEdge;
     double Sign = 1.0;
   };
 
-  /// An edge of a triangle: its lesser id, and its greater one. The edges of triangle i have the
-  /// numbers from 3 i on.
+  /// An edge of an outline: its lesser id, and its greater one.
   struct Edge
   {
     bool operator<(const Edge& other) const
@@ -74,6 +82,13 @@ private:
     std::size_t Number;
   };
 
+  /// Where an edge begins, and whose it is.
+  struct EdgeOfFace
+  {
+    vtkIdType Begin;
+    std::size_t Face;
+  };
+
   /// A point of a face.
   struct Corner
   {
@@ -82,20 +97,24 @@ private:
   };
 
   void LoadFace(vtkPoints* points, const vtkIdType* ids, std::size_t count);
+  void AddOutline();
   bool IsSeenFromFirst() const;
   void CutFace(const Vector3& center);
   bool CutEars(const Vector3& center);
   void AddTriangle(const Vector3& center, std::size_t a, std::size_t b, std::size_t c);
   void SortEdges();
-  void TurnTriangles();
+  void TurnFaces();
   void TurnAgainst(std::size_t one, std::size_t edge);
 
   double Volume = 0.0;
   std::vector<Triangle> Triangles;
+  std::vector<Outline> Outlines;
   std::vector<Edge> Edges;
+  /// By numbers.
+  std::vector<EdgeOfFace> Faces;
   /// By numbers, the next edge that is the same; after the last one, the first.
   std::vector<std::size_t> NextOfEdge;
-  /// Whether the signs of triangles are known, and those whose neighbours are to be looked at.
+  /// Whether the signs of faces are known, and those whose neighbours are to be looked at.
   std::vector<bool> AreKnown;
   std::vector<std::size_t> Waiting;
   /// A face, as each of its neighbours sees it.

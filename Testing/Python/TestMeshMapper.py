@@ -12,6 +12,8 @@ from pathlib import Path
 from random import Random
 
 from vtkmodules.vtkCommonCore import (
+    VTK_DOUBLE,
+    VTK_FLOAT,
     mutable,
     vtkBitArray,
     vtkCommand,
@@ -107,6 +109,40 @@ def make_random_cell(shape, count):
     grid.SetPoints(points)
     grid.InsertNextCell(shape, count, range(count))
     return set_values(grid, ball)
+
+
+def make_cubes_with_points_on_edges(count, parts, place, precision):
+    """Polyhedra. Values inside of the grid are random, and those at its border less than 0."""
+    random = Random(1)
+    points, numbers, values = vtkPoints(), {}, vtkDoubleArray()
+    points.SetDataType(precision)
+    grid = vtkUnstructuredGrid()
+
+    def number(p):
+        key = tuple(round(parts * c) for c in p)
+        if key not in numbers:
+            numbers[key] = points.InsertNextPoint(place([c / parts for c in key]))
+            is_inside = all(0 < c < parts * count for c in key)
+            values.InsertNextValue(random.uniform(-1.0, 1.0) if is_inside else -1.0)
+        return numbers[key]
+
+    corners = ((0, 0), (1, 0), (1, 1), (0, 1))
+    for cube in itertools.product(range(count), repeat=3):
+        faces = []
+        for axis, side in itertools.product(range(3), range(2)):
+            face = []
+            for (u, v), (to_u, to_v) in zip(corners, corners[1:] + corners[:1]):
+                for i in range(parts):
+                    offset = [0.0, 0.0, 0.0]
+                    offset[axis] = side
+                    offset[(axis + 1) % 3] = u + (to_u - u) * i / parts
+                    offset[(axis + 2) % 3] = v + (to_v - v) * i / parts
+                    face.append(number([c + o for c, o in zip(cube, offset)]))
+            faces.append(face)
+        insert_polyhedron(grid, faces)
+    grid.SetPoints(points)
+    grid.GetPointData().SetScalars(values)
+    return grid
 
 
 def make_tuple(numbers):
@@ -372,6 +408,41 @@ class TestMeshMapper(unittest.TestCase):
         self.assertEqual(len(warnings), 1)
         self.assertIn("Cell 0 is a polyhedron", warnings[0])
         self.assertEqual(errors_of(mapper, lambda: cast(mapper, volume, rays), vtkCommand.WarningEvent), [])
+
+    def test_polyhedra_with_points_on_their_edges(self):
+        """As cells of an octree beside finer ones: straight, rounded, or bent a little. No ray gets in or out elsewhere."""
+
+        def turn(p):
+            x, y, z = p
+            x, y = 0.92 * x - 0.39 * y, 0.39 * x + 0.92 * y
+            return x, 0.95 * y - 0.31 * z, 0.31 * y + 0.95 * z
+
+        def bend(p):
+            return [p[k] + 0.01 * math.sin(3.1 * p[(k + 1) % 3] + 1.7 * p[(k + 2) % 3] + k) for k in range(3)]
+
+        def round_places(p):
+            return [c + 1000.0 for c in turn(p)]
+
+        for parts in (2, 3):
+            for place, precision, origin in ((turn, VTK_DOUBLE, 0.0), (bend, VTK_DOUBLE, 0.0),
+                                             (round_places, VTK_FLOAT, 1000.0)):  # fmt: skip
+                with self.subTest(parts=parts, place=place.__name__):
+                    grid = make_cubes_with_points_on_edges(3, parts, place, precision)
+                    mapper, volume = make_volume(grid, 0.0, opacity=0.001)
+                    warnings = []
+                    tag = mapper.AddObserver(vtkCommand.WarningEvent, lambda *_: warnings.append(1))
+                    random = Random(parts)
+                    rays = []
+                    for _ in range(1500):
+                        inside = [random.uniform(0.0, 3.0) for _ in range(3)]
+                        direction = [random.gauss(0.0, 1.0) for _ in range(3)]
+                        target = (turn if place is round_places else place)(inside)
+                        rays.append(([origin + target[k] - 20.0 * direction[k] for k in range(3)], direction))
+                    hits = [hit[0] for hit in cast(mapper, volume, rays)]
+                    mapper.RemoveObserver(tag)
+                    self.assertGreater(len(hits), 1500)
+                    self.assertEqual([ray for ray in set(hits) if hits.count(ray) % 2 == 1], [])
+                    self.assertEqual(warnings, [])
 
     def test_concave_faces_are_cut_alike(self):
         """Two cells on each other meet in an uneven L, with points in common or points of their own."""
