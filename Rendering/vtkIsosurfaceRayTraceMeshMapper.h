@@ -25,8 +25,9 @@
  * the triangles of their faces and the mean of their points, which has the mean of their values.
  * Neighbours cut a face alike, also those of different blocks: from its first point (by x, then y,
  * then z), or, where that does not see all of it, as vtkPolygon::EarCutTriangulation does. Where
- * the mean does not see all faces from inside, as in a U, the convex hull is drawn, with a warning
- * that names the first such cell.
+ * the mean does not see all faces from inside, as in a U, so that tetrahedra overlap by more than a
+ * hundredth of their volume, the convex hull is drawn, with a warning that names the first such
+ * cell.
  *
  * Points may be float or double, ids of 32 or 64 bits; they are read where they are. The values are
  * those of the points; scalars of cells are averaged to them as vtkCellDataToPointData does.

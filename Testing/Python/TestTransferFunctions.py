@@ -150,6 +150,31 @@ class TestTransferFunctions(unittest.TestCase):
             self.check_projection(volume)
         self.assertEqual(*pictures)  # The surface of 150 is before the jump.
 
+    def test_slow_colors(self):
+        """VTK takes a twentieth of a second for each."""
+        volume = make_volume()
+        colors = make_colors()
+        colors.AddRGBPoint(120.0, 0.0, 0.2, 1.0, 0.3, 0.4)
+        colors.AllowDuplicateScalarsOn()
+        colors.AddRGBPoint(180.0, 1.0, 1.0, 0.0)
+        colors.AddRGBPoint(180.0, 0.0, 1.0, 0.0)
+        colors.SetColorSpaceToLabCIEDE2000()
+        volume.GetProperty().SetColor(colors)
+        volume.GetProperty().SetScalarOpacity(make_opacity())
+        volume.GetMapper().SetBlendModeToMaximumIntensity()
+        data = render(volume)
+        checked = 0
+        for i in range(0, SIZE * SIZE, 101):
+            value = data.GetArray("Value").GetValue(i)
+            if not math.isnan(value):
+                rgb = [0.0, 0.0, 0.0]
+                colors.GetColor(value, rgb)
+                opacity = make_opacity().GetValue(value)
+                for channel, x in zip(data.GetArray("Colors").GetTuple(i), rgb):
+                    self.assertLessEqual(abs(channel - 255.0 * x * opacity), 1.1)  # VTK's have steps
+                checked += 1
+        self.assertGreater(checked, 10)
+
     def test_discrete_colors(self):
         volume = make_volume()
         colors = make_colors(vtkDiscretizableColorTransferFunction)
