@@ -4,6 +4,7 @@
 
 #include "vtkIsosurfaceRayTraceGhosts.h"
 #include "vtkIsosurfaceRayTraceGridLists.h"
+#include "vtkIsosurfaceRayTraceSubdivision.h"
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
@@ -41,8 +42,8 @@ using Lists = vtkIsosurfaceRayTraceGridLists;
 std::unique_lock<std::mutex> LockEvaluation(int type)
 {
   static std::mutex mutex;
-  const bool isBezier = type >= VTK_BEZIER_TETRAHEDRON && type <= VTK_BEZIER_PYRAMID;
-  return isBezier ? std::unique_lock<std::mutex>(mutex) : std::unique_lock<std::mutex>();
+  return vtkIsosurfaceRayTraceSubdivision::IsBezier(type) ? std::unique_lock<std::mutex>(mutex)
+                                                          : std::unique_lock<std::mutex>();
 }
 
 /// The parametric coordinates of a point in a polyhedron. (VTK, asked for them, also finds whether

@@ -200,9 +200,9 @@ double CountPoints(bool isWedge, const double degrees[3], vtkIdType points)
 bool HasFittingArrays(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdType points)
 {
   const int type = grid->GetCellType(cell);
-  const bool isBezier = type >= VTK_BEZIER_TETRAHEDRON && type <= VTK_BEZIER_PYRAMID;
   vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
-  if (isBezier && weights && weights->GetNumberOfTuples() < grid->GetNumberOfPoints())
+  if (vtkIsosurfaceRayTraceSubdivision::IsBezier(type) && weights &&
+    weights->GetNumberOfTuples() < grid->GetNumberOfPoints())
   {
     return false;
   }
@@ -327,6 +327,12 @@ bool vtkIsosurfaceRayTraceSubdivision::IsSolid(int type)
 {
   const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
   return cell && cell->GetCellDimension() == 3;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsosurfaceRayTraceSubdivision::IsBezier(int type)
+{
+  return type >= VTK_BEZIER_TETRAHEDRON && type <= VTK_BEZIER_PYRAMID;
 }
 
 //------------------------------------------------------------------------------

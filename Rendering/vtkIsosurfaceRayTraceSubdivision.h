@@ -44,6 +44,9 @@ public:
   bool IsSolid() const { return this->HasVolume; }
   ///@}
 
+  /// Whether cells of a type have three dimensions, and Bezier's polynomials.
+  static bool IsBezier(int type);
+
   /// Finds the ids of the corners of the parts of a cell, one part after the other, given those of
   /// its points. Returns false if the number of points is not that of the type, or of the order of
   /// the cell or its degrees, weights of its points are missing, or a face of a polyhedron has

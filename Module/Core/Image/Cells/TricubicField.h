@@ -52,6 +52,7 @@ public:
   void MakeMask(const Kernels& kernels, const Index3& block,
     const std::vector<ScaledIsovalue>& isovalues, BlockMask& mask) const
   {
+    static_assert(TricubicBlock::Edge == BlockMask::Edge);
     std::fill_n(mask.Slices[2], BlockMask::Edge, 0U);
     const Index3 first = BlockMask::GetFirstCell(block);
     TricubicBlock around;
@@ -110,11 +111,20 @@ public:
   }
 
 private:
-  /// The sample along an axis that is nearest to a place, which may be outside of the volume.
-  int FindNearest(std::size_t axis, int place) const
+  /// Where samples are along each axis, from the one before a cell on. Instead of those outside of
+  /// the volume, the nearest ones.
+  template <int Count>
+  void FindOffsets(const Index3& cell, std::ptrdiff_t (&offsets)[3][Count]) const
   {
-    return std::clamp(
-      place, -this->TheSamples.GetBefore(), this->TheSamples.GetDimensions()[axis] - 1);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int last = this->TheSamples.GetDimensions()[axis] - 1;
+      for (int i = 0; i < Count; ++i)
+      {
+        offsets[axis][i] = std::clamp(cell[axis] + i - 1, -this->TheSamples.GetBefore(), last) *
+          this->TheSamples.GetStride(static_cast<int>(axis));
+      }
+    }
   }
 
   /// Reads the 4^3 samples around a cell. (Those outside of the volume have no weight.) Returns
@@ -122,14 +132,7 @@ private:
   bool Load(const Index3& cell, TricubicCell& samples) const
   {
     std::ptrdiff_t offsets[3][4];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      for (int i = 0; i < 4; ++i)
-      {
-        offsets[axis][i] = this->FindNearest(axis, cell[axis] + i - 1) *
-          this->TheSamples.GetStride(static_cast<int>(axis));
-      }
-    }
+    this->FindOffsets(cell, offsets);
     const T* origin = this->TheSamples.At({ 0, 0, 0 });
     double* next = samples.data();
     for (const std::ptrdiff_t z : offsets[2])
@@ -163,13 +166,9 @@ private:
   {
     constexpr int count = TricubicBlock::SamplesPerEdge;
     std::ptrdiff_t offsets[3][count];
+    this->FindOffsets(first, offsets);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      for (int i = 0; i < count; ++i)
-      {
-        offsets[axis][i] = this->FindNearest(axis, first[axis] + i - 1) *
-          this->TheSamples.GetStride(static_cast<int>(axis));
-      }
       const int cells =
         std::min(TricubicBlock::Edge, this->TheSamples.GetDimensions()[axis] - 1 - first[axis]);
       for (int i = 0; i < cells; ++i)
