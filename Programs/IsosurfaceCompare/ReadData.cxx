@@ -8,10 +8,12 @@
 #include "Support/ReadVolume.h"
 
 #include <vtkAppendFilter.h>
+#include <vtkCellData.h>
 #include <vtkCellDataToPointData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -57,6 +59,24 @@ vtkSmartPointer<vtkPointSet> FindMesh(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
+/// Data with an array of cells as numbers, which vtkCellDataToPointData averages: VTK 9.1 leaves
+/// out ids, and averages bits to what is in memory.
+vtkSmartPointer<vtkDataSet> TakeAsNumbers(vtkDataSet* data, const std::string& name)
+{
+  vtkDataArray* array = data->GetCellData()->GetArray(name.c_str());
+  if (!array || (array->GetDataType() != VTK_ID_TYPE && array->GetDataType() != VTK_BIT))
+  {
+    return data;
+  }
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->DeepCopy(array);
+  numbers->SetName(name.c_str());
+  auto changed = vtk::TakeSmartPointer(data->NewInstance());
+  changed->ShallowCopy(data);
+  changed->GetCellData()->AddArray(numbers);
+  return changed;
+}
+
 /// The data with an array of points, or others with an average of those of cells.
 vtkSmartPointer<vtkDataSet> MoveToPoints(vtkDataSet* data, const Programs::ArrayChoice& choice)
 {
@@ -65,7 +85,7 @@ vtkSmartPointer<vtkDataSet> MoveToPoints(vtkDataSet* data, const Programs::Array
     return data;
   }
   vtkNew<vtkCellDataToPointData> average;
-  average->SetInputData(data);
+  average->SetInputData(TakeAsNumbers(data, choice.GetName()));
   average->ProcessAllArraysOff();
   average->AddCellDataArray(choice.GetName().c_str());
   average->Update();

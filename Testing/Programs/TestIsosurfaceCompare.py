@@ -17,7 +17,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from vtkmodules.vtkCommonCore import VTK_SHORT, vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonCore import VTK_SHORT, vtkBitArray, vtkFloatArray, vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkStructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIOExodus import vtkExodusIIWriter
@@ -433,6 +433,26 @@ class TestIsosurfaceCompare(unittest.TestCase):
             rows = json.loads((self.folder / "a.json").read_text())["rows"]
             self.assertGreater(rows[0]["Triangles"], 100)
             self.assertEqual(rows[0]["Note"], "")
+
+    def test_ids_and_bits_of_cells(self):
+        """VTK 9.1 does not average them."""
+        grid, triangles = new_grid(), []
+        for kind in (vtkIdTypeArray, vtkBitArray, vtkFloatArray):
+            array = kind()
+            array.SetName(kind.__name__)
+            for i in range(grid.GetNumberOfCells()):
+                array.InsertNextTuple1(1 if i % 7 < 3 else 0)
+            grid.GetCellData().AddArray(array)
+        path = self.write_mesh(vtkXMLStructuredGridWriter(), "ids.vts", grid)
+        for kind in (vtkIdTypeArray, vtkBitArray, vtkFloatArray):
+            result = self.run_program(
+                "--input", path, "--array", kind.__name__, "--isovalue", 0.4, "--methods", "contour-grid",
+                "--json", self.folder / "i.json",
+            )  # fmt: skip
+            self.assertEqual(result.returncode, 0, result.stderr)
+            triangles.append(json.loads((self.folder / "i.json").read_text())["rows"][0]["Triangles"])
+        self.assertGreater(triangles[0], 100)
+        self.assertEqual(triangles, 3 * triangles[:1])
 
     def test_arrays_of_images(self):
         """Also of those in .vtk files, which may hold meshes, too."""
