@@ -573,6 +573,20 @@ class TestMeshMapper(unittest.TestCase):
         messages = errors_of(mapper, lambda: cast(mapper, volume, parallel_rays()))
         self.assertIn("RationalWeights", messages[0])
 
+    def test_degrees_that_change_in_place_are_seen(self):
+        grid = set_values(make_random_cell(VTK_LAGRANGE_HEXAHEDRON, 12), plane)
+        degrees = make_tuple((1, 1, 2))
+        grid.GetCellData().SetHigherOrderDegrees(degrees)
+        mapper, volume = make_volume(grid, 0.5, opacity=0.1)
+        rays = [((0.03 * i, 0.03 * j, -1.0), (0.03, 0.02, 1.0)) for i in range(34) for j in range(34)]
+        before = cast(mapper, volume, rays)
+        degrees.SetTuple3(0, 2, 1, 1)
+        degrees.Modified()
+        after = cast(mapper, volume, rays)
+        self.assertGreater(len(after), 20)
+        self.assertNotEqual(before, after)
+        self.assertEqual(after, cast(*make_volume(grid, 0.5, opacity=0.1), rays))
+
     def test_convex_point_sets_divide_a_face_alike(self):
         """A ray that comes from below the isovalue, and gets there again, has as many hits that enter as hits that
         leave."""
