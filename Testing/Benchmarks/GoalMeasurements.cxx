@@ -56,16 +56,22 @@ std::vector<double> MeasureTiles(TracedIsosurface& surface, const View& view)
     }
     return fastest;
   };
-  const double ofNoRays = cast({ 0, 0, 0, 0 });
+  // Measured beside each tile: one time alone may be when the machine was busy with other work, and
+  // above that of all tiles.
+  double ofNoRays = std::numeric_limits<double>::infinity();
   std::vector<double> costs;
   for (int y = 0; y < pixels.Height; y += size[1])
   {
     for (int x = 0; x < pixels.Width; x += size[0])
     {
-      const double cost = cast({ pixels.X + x, pixels.Y + y, std::min(size[0], pixels.Width - x),
-        std::min(size[1], pixels.Height - y) });
-      costs.push_back(std::max(0.0, cost - ofNoRays));
+      ofNoRays = std::min(ofNoRays, cast({ 0, 0, 0, 0 }));
+      costs.push_back(cast({ pixels.X + x, pixels.Y + y, std::min(size[0], pixels.Width - x),
+        std::min(size[1], pixels.Height - y) }));
     }
+  }
+  for (double& cost : costs)
+  {
+    cost = std::max(0.0, cost - ofNoRays);
   }
   return costs;
 }
