@@ -11,6 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from ._directions import to_direction
 from ._errors import call
+from .vtkIsosurfaceRayTracing import vtkCellProjectionMapper
 
 VIEW = (-0.45, 1.0, 0.3)  # sees faces where y is to the front of a patient, as in NIfTI
 MARGIN = 0.06  # of the picture, around the surface
@@ -18,8 +19,10 @@ COARSE = 192**2  # the pixels of a picture that finds the surface
 FEW = 50  # of them do not
 
 
-def make_camera(volume, size, view=VIEW, up=None, zoom=1.0):
-    """A camera that looks at the surfaces of a volume from a direction, in which they are centered."""
+def make_camera(volume, size, view=VIEW, up=None, zoom=1.0, camera=None):
+    """A camera that looks at the surfaces of a volume from a direction, in which they are centered, or a copy of one."""
+    if camera is not None:
+        return _copy(camera, volume)
     back = to_direction("view", view)
     upward = to_direction("up", ("z" if abs(back[2]) < 0.999 else "y") if up is None else up)
     if np.linalg.norm(np.cross(back, upward)) < 1e-6:
@@ -28,10 +31,10 @@ def make_camera(volume, size, view=VIEW, up=None, zoom=1.0):
         raise ValueError(f"zoom is {zoom!r}; give a number above 0")
     camera = vtkCamera()
     camera.SetViewUp(upward)
-    # A look at all, in which small parts are that lie apart, then one at the surfaces.
     bounds = volume.GetBounds()
     points = _find_corners(volume) if bounds is None else _corners_of(bounds)
-    for _ in range(2):
+    # A look at all, in which small parts are that lie apart, then one at the surfaces. Clouds fill their bounds.
+    for _ in range(0 if isinstance(volume.GetMapper(), vtkCellProjectionMapper) else 2):
         _fit(camera, back, points, size)
         set_clipping_range(camera, volume)
         points = _find_points(volume, camera, size)
@@ -39,6 +42,15 @@ def make_camera(volume, size, view=VIEW, up=None, zoom=1.0):
     camera.Zoom(zoom)
     set_clipping_range(camera, volume)
     return camera
+
+
+def _copy(camera, volume):
+    if not isinstance(camera, vtkCamera):
+        raise TypeError(f"camera is {camera!r}; give a vtkCamera, or view, up and zoom instead")
+    copy = vtkCamera()
+    copy.DeepCopy(camera)
+    set_clipping_range(copy, volume)
+    return copy
 
 
 def set_clipping_range(camera, volume):

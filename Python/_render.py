@@ -10,7 +10,7 @@ from typing import Any, Sequence
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLightCollection
 
-from ._camera import VIEW, make_camera, set_clipping_range
+from ._camera import VIEW, make_camera
 from ._errors import call
 from ._lights import make_lights
 from ._picture import Picture
@@ -65,7 +65,7 @@ def render(
     """
     volume = to_volume(surfaces, isovalues, options)
     width, height = check_size(size)
-    seen = make_camera(volume, (width, height), view, up, zoom) if camera is None else _copy(camera, volume)
+    seen = make_camera(volume, (width, height), view, up, zoom, camera)
     lights = vtkLightCollection()
     for light in make_lights():
         lights.AddItem(light)
@@ -82,12 +82,3 @@ def check_size(size):
     if min(width, height) < 1 or max(width, height) >= 2**31:
         raise ValueError(f"size is {size!r}; give at least one pixel each, and fewer than 2**31")
     return width, height
-
-
-def _copy(camera, volume):
-    if not isinstance(camera, vtkCamera):
-        raise TypeError(f"camera is {camera!r}; give a vtkCamera, or view, up and zoom instead")
-    copy = vtkCamera()
-    copy.DeepCopy(camera)
-    set_clipping_range(copy, volume)
-    return copy

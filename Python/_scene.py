@@ -25,7 +25,7 @@ def to_volume(surfaces, isovalues, options):
                         "it in their properties and mappers")
     for volume in volumes:
         if not isinstance(volume.GetMapper(), (vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper)):
-            raise TypeError("a volume is one of isosurface(), or has a vtkIsosurfaceRayTraceMapper")
+            raise TypeError("a volume is one of isosurface(), or has a mapper of this package")
     visible = [volume for volume in volumes if volume.GetVisibility()]
     if not visible:
         raise ValueError("no volume is visible; call VisibilityOn() of what is to be seen")

@@ -8,6 +8,8 @@ import os
 import sys
 from typing import Any, Sequence
 
+from vtkmodules.vtkRenderingCore import vtkCamera
+
 from ._camera import VIEW, make_camera
 from ._colors import to_rgb
 from ._lights import make_lights
@@ -25,12 +27,14 @@ def show(
     view: str | Sequence[float] = VIEW,
     up: str | Sequence[float] | None = None,
     zoom: float = 1.0,
+    camera: vtkCamera | None = None,
     background: str | Sequence[float] = "white",
     **options: Any,
 ) -> None:
     """Open a window in which the mouse turns isosurfaces, and wait until it is closed.
 
-    While the mouse rests, the picture gets smooth edges. The parameters are those of ``render``.
+    While the mouse rests, the picture gets smooth edges. The parameters are those of ``render``; the background is white
+    by default, and ``camera`` is copied.
 
     Raises
     ------
@@ -40,13 +44,13 @@ def show(
     if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
         raise RuntimeError("there is no display (DISPLAY is not set); render() makes pictures without one")
     volume = to_volume(surfaces, isovalues, options)
-    window = make_window(volume, check_size(size), view, up, zoom, background)
+    window = make_window(volume, check_size(size), view, up, zoom, camera, background)
     interactor = make_interactor(window, volume.GetMapper())
     window.Render()
     interactor.Start()
 
 
-def make_window(volume, size, view, up, zoom, background):
+def make_window(volume, size, view, up, zoom, camera, background):
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws
     from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
@@ -56,7 +60,7 @@ def make_window(volume, size, view, up, zoom, background):
     for light in make_lights():
         renderer.AddLight(light)
     renderer.AddVolume(volume)
-    renderer.SetActiveCamera(make_camera(volume, size, view, up, zoom))
+    renderer.SetActiveCamera(make_camera(volume, size, view, up, zoom, camera))
     window = vtkRenderWindow()
     window.SetMultiSamples(0)  # The frames that are accumulated smooth edges.
     window.SetWindowName("vtkIsosurfaceRayTracing")

@@ -293,6 +293,13 @@ class TestSeveral(unittest.TestCase):
         colors = np.asarray(picture)[..., :3].astype(int).reshape(-1, 3)
         self.assertGreater((colors[:, 0] > colors[:, 1] + 50).sum(), 100)
 
+    def test_cloud_fills_the_picture(self):
+        volume = self.make_volume(vtkCellProjectionMapper())
+        volume.GetProperty().GetScalarOpacity().AddPoint(0.0, 1.0)
+        volume.GetProperty().GetRGBTransferFunction().AddRGBPoint(0.0, 1.0, 0.5, 0.0)
+        margins = margins_of(render(volume, size=(100, 80)))
+        self.assertTrue(0.0 < margins.min() < 0.08, margins)
+
     def test_what_cannot_be_joined(self):
         surface = isosurface(make_ball(), 0.0)
         cropped, projected, smooth = (isosurface(make_ball(), 0.0) for _ in range(3))
@@ -320,7 +327,7 @@ class TestSeveral(unittest.TestCase):
         for surfaces in ([], [surface, make_ball()], [make_ball()]):
             with self.assertRaisesRegex(TypeError, r"list of what isosurface\(\) returns"):
                 render(surfaces)
-        with self.assertRaisesRegex(TypeError, "has a vtkIsosurfaceRayTraceMapper"):
+        with self.assertRaisesRegex(TypeError, "has a mapper of this package"):
             render(vtkVolume())
         empty = vtkVolume()
         empty.SetMapper(vtkIsosurfaceRayTraceMapper())

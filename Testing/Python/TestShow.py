@@ -7,7 +7,7 @@ import unittest
 from unittest import mock
 
 import numpy as np
-from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderWindowInteractor
 from vtkIsosurfaceRayTracing import isosurface, render, show
 from vtkIsosurfaceRayTracing._camera import VIEW
 from vtkIsosurfaceRayTracing._show import make_interactor, make_window
@@ -21,7 +21,7 @@ class TestShow(unittest.TestCase):
         for opacity in (1.0, 0.4):
             volume = isosurface(make_ball(), [0.0, 0.3], color=["red", "blue"], opacity=opacity)
             volume.GetMapper().AutoAdjustSampleDistancesOff()  # which would take more rays than the picture
-            window = make_window(volume, SIZE, VIEW, None, 1.0, "white")
+            window = make_window(volume, SIZE, VIEW, None, 1.0, None, "white")
             window.SetOffScreenRendering(True)
             window.SetMultiSamples(0)
             for _ in range(8):
@@ -30,6 +30,15 @@ class TestShow(unittest.TestCase):
             picture = render(volume, size=SIZE, background="white").rgba[:, :, :3]
             self.assertLess((picture != 255).mean(), 0.9)
             self.assertLessEqual(np.abs(shown.astype(int) - picture).max(), 1)
+
+    def test_camera(self):
+        volume, camera = isosurface(make_ball(), 0.0), vtkCamera()
+        camera.SetPosition(3.0, 4.0, 50.0)
+        camera.SetFocalPoint(3.0, 4.0, 0.0)
+        window = make_window(volume, SIZE, VIEW, None, 1.0, camera, "white")
+        copy = window.GetRenderers().GetFirstRenderer().GetActiveCamera()
+        self.assertIsNot(copy, camera)  # The mouse does not turn that of the caller.
+        self.assertEqual(copy.GetPosition(), (3.0, 4.0, 50.0))
 
     def test_picture_is_refined_until_the_window_is_closed(self):
         class Interactor:
@@ -62,7 +71,7 @@ class TestShow(unittest.TestCase):
 
     def test_interactor_is_of_the_window(self):
         volume = isosurface(make_ball(), 0.0)
-        window = make_window(volume, SIZE, VIEW, None, 1.0, "white")
+        window = make_window(volume, SIZE, VIEW, None, 1.0, None, "white")
         interactor = make_interactor(window, volume.GetMapper())
         self.assertIs(interactor.GetRenderWindow(), window)
         self.assertEqual(interactor.GetInteractorStyle().GetClassName(), "vtkInteractorStyleTrackballCamera")
