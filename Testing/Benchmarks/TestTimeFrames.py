@@ -16,11 +16,12 @@ from Programs import ProgramTest, new_folder
 HERE = Path(__file__).resolve().parent
 DOCUMENT = HERE.parents[1] / "Documentation" / "measurements.md"
 FOLDER = new_folder("time-frames")
-NUMBERS_OF_ROWS = {"kinds": 6, "projection": 4, "interpolation": 2, "secondary": 3, "multisampling": 2, "rays": 3}
+NUMBERS_OF_ROWS = {"kinds": 6, "projection": 4, "interpolation": 2, "secondary": 3, "multisampling": 2, "rays": 3,
+                   "options": 7}
 
 
 def run_script(*arguments):
-    command = [sys.executable, HERE / "time_frames.py", *arguments]
+    command = [sys.executable, HERE / "time_frames.py", "--size", "100", *arguments]
     return subprocess.run(command, cwd=FOLDER, capture_output=True, text=True, check=False)
 
 
@@ -35,8 +36,8 @@ class TestTimeFrames(ProgramTest):
         self.assertEqual({kind for kind, _ in commands}, set(NUMBERS_OF_ROWS))
         for kind, arguments in commands:
             with self.subTest(kind):
-                # Bone is at 300, the sphere at 0.
-                run = run_script(kind, *arguments.replace("300", "0").split())
+                # Bone is at 300, the sphere at 0; skin is at -300, as a part of the sphere is.
+                run = run_script(kind, *re.sub(r"(?<!-)\b300\b", "0", arguments).split())
                 self.check_table(run, NUMBERS_OF_ROWS[kind])
 
     def check_table(self, run, number_of_rows):
@@ -48,9 +49,10 @@ class TestTimeFrames(ProgramTest):
                 self.assertRegex(cell, r"^\d")
 
     def test_usage(self):
-        run = run_script()
-        self.assertEqual(run.returncode, 1)
-        self.assertIn("time_frames.py kinds VOLUME ISOVALUE", run.stderr)
+        for arguments in ((), ("kinds", "cranium.mhd"), ("sorts", "cranium.mhd", "0")):
+            run = run_script(*arguments)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn("time_frames.py kinds VOLUME ISOVALUE", run.stderr)
 
 
 if __name__ == "__main__":

@@ -12,9 +12,15 @@
                                                    by default, and without
     time_frames.py rays DATA ISOVALUE              not frames, but 25 600 rays of CastRays in several
                                                    orders, on one thread
+    time_frames.py options VOLUME ISOVALUE LOWER   not frames, but pictures of 800 x 800 pixels by
+                                                   render() of the Python package, with its options;
+                                                   LOWER is the isovalue of a translucent surface
 
-In time of the processors, all threads together; that of windows with samples in time that passes."""
+With --size N in front, pictures have N x N pixels. In time of the processors, all threads together; that of windows with samples, and of render(), in time that
+passes."""
 
+import argparse
+import inspect
 import math
 import statistics
 import sys
@@ -30,9 +36,9 @@ from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkNIFTIImageReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
-from vtkIsosurfaceRayTracing import vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
+from vtkIsosurfaceRayTracing import isosurface, render, vtkIsosurfaceRayTraceMapper, vtkIsosurfaceRayTraceMeshMapper
 
-VIEWS, FRAMES, SIZE = 8, 3, 512
+VIEWS, FRAMES = 8, 3
 ROWS = 160  # of rays
 
 
@@ -130,13 +136,17 @@ def new_projection(image, mapper):
     return volume
 
 
+def get_size(default=512):
+    return ARGUMENTS.size or default
+
+
 def measure(volumes, clock, prepare=lambda volume, view: None, look=lambda window: None, samples=0):
     """The ms of the first frames after prepare(volume, view), and of the frames that follow, which
     look(window) is shown. Each pixel of the window has as many samples; 0 for one."""
     window, renderer = vtkRenderWindow(), vtkRenderer()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(samples)
-    window.SetSize(SIZE, SIZE)
+    window.SetSize(get_size(), get_size())
     window.AddRenderer(renderer)
     firsts, frames = ({name: [] for name in volumes} for _ in range(2))
     for view in range(VIEWS):
@@ -307,21 +317,40 @@ def time_rays(data_name, isovalue):
         print(f"| {name} | {' | '.join(cell for volume in volumes for cell in time_cast(volume, *rays))} |", flush=True)
 
 
-def main():
-    if len(sys.argv) == 4 and sys.argv[1] == "kinds":
-        time_kinds(*sys.argv[2:])
-    elif len(sys.argv) == 4 and sys.argv[1] == "interpolation":
-        time_interpolation(*sys.argv[2:])
-    elif len(sys.argv) == 3 and sys.argv[1] == "projection":
-        time_projection(sys.argv[2])
-    elif len(sys.argv) >= 4 and sys.argv[1] == "secondary":
-        time_secondary(*sys.argv[2:])
-    elif len(sys.argv) == 4 and sys.argv[1] == "rays":
-        time_rays(*sys.argv[2:])
-    elif len(sys.argv) == 4 and sys.argv[1] == "multisampling":
-        time_multisampling(*sys.argv[2:])
-    else:
-        sys.exit(__doc__)
+def time_options(file_name, isovalue, lower):
+    image, isovalue, both = read(file_name), float(isovalue), [float(lower), float(isovalue)]
+    volumes = {"default": isosurface(image, isovalue), "samples=1": isosurface(image, isovalue, samples=1),
+               "two isovalues, one translucent": isosurface(image, both)}
+    for option in ({"clip": "x"}, {"shadows": True}, {"occlusion": True}, {"interpolation": "cubic"}):
+        name = ", ".join(f"{name}={value!r}" for name, value in option.items())
+        volumes[name] = isosurface(image, isovalue, **option)
+    times = {name: [] for name in volumes}
+    for repeat in range(FRAMES + 1):
+        for name, volume in volumes.items():
+            start = time.perf_counter()
+            render(volume, size=[get_size(800)] * 2)
+            if repeat > 0:  # what is built for the data is there
+                times[name].append(1e3 * (time.perf_counter() - start))
+    print_table(["ms per picture"], [times])
 
 
-main()
+KINDS = {
+    "kinds": time_kinds, "interpolation": time_interpolation, "projection": time_projection, "secondary": time_secondary,
+    "multisampling": time_multisampling, "rays": time_rays, "options": time_options}  # fmt: skip
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(usage=__doc__)
+    parser.add_argument("--size", type=int)
+    parser.add_argument("kind", choices=KINDS)
+    parser.add_argument("arguments", nargs="*")
+    arguments = parser.parse_args()
+    try:
+        inspect.signature(KINDS[arguments.kind]).bind(*arguments.arguments)
+    except TypeError as error:
+        parser.error(str(error))
+    return arguments
+
+
+ARGUMENTS = parse_arguments()
+KINDS[ARGUMENTS.kind](*ARGUMENTS.arguments)
