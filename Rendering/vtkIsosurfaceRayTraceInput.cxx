@@ -256,8 +256,8 @@ std::string vtkIsosurfaceRayTraceInput::SelectLeaves(
   {
     return (input ? std::string("The input is a ") + input->GetClassName()
                   : std::string("There is no input")) +
-      ". Give a " + settings.Kinds +
-      " or composite data of them with SetInputData, SetInputDataObject or SetInputConnection.";
+      ". Give a vtkImageData, a vtkRectilinearGrid, a vtkUnstructuredGrid, a vtkStructuredGrid or "
+      "composite data of them with SetInputData, SetInputDataObject or SetInputConnection.";
   }
   this->ChangeOfLeaves = LeavesChange::OfAnything;
   this->Leaves.Take(data, this->Mapper, colors);

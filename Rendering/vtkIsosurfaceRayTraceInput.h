@@ -42,8 +42,6 @@ struct vtkIsosurfaceRayTraceScalars;
 /// The settings of a mapper that are about its input. They are documented there.
 struct vtkIsosurfaceRayTraceInputSettings
 {
-  /// What to give where there is no input, in a sentence.
-  const char* Kinds;
   /// That of the scalars; none: the property decides.
   std::optional<int> Component;
   /// Whether a cloud takes all components where the property decides.

@@ -83,7 +83,11 @@ void vtkIsosurfaceRayTraceMapper::CopyVolumeMapper(vtkVolumeMapper* mapper)
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMapper::SetConnectionVolume(int connection, vtkVolume* volume)
 {
-  if (vtkIsosurfaceRayTraceSharedSettings::SetAt(connection, volume, this->ConnectionVolumes))
+  if (connection < 0)
+  {
+    vtkErrorMacro("There is no connection " << connection << ". Give a number from 0 on.");
+  }
+  else if (vtkIsosurfaceRayTraceSharedSettings::SetAt(connection, volume, this->ConnectionVolumes))
   {
     this->Modified();
   }
@@ -168,7 +172,6 @@ vtkIsosurfaceRayTraceInputSettings vtkIsosurfaceRayTraceMapper::GetInputSettings
   // VTK's own functions that only look are not const.
   auto* self = const_cast<vtkIsosurfaceRayTraceMapper*>(this);
   vtkIsosurfaceRayTraceInputSettings settings{};
-  settings.Kinds = "vtkImageData, a vtkRectilinearGrid";
   vtkIsosurfaceRayTraceSharedSettings::Fill(*this, settings);
   settings.ColorImage = vtkImageData::SafeDownCast(self->GetInputDataObject(1, 0));
   settings.Image.MacrocellBranching.assign(

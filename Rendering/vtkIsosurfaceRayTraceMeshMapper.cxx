@@ -99,7 +99,11 @@ void vtkIsosurfaceRayTraceMeshMapper::SetTileSize(int width, int height)
 //------------------------------------------------------------------------------
 void vtkIsosurfaceRayTraceMeshMapper::SetConnectionVolume(int connection, vtkVolume* volume)
 {
-  if (vtkIsosurfaceRayTraceSharedSettings::SetAt(connection, volume, this->ConnectionVolumes))
+  if (connection < 0)
+  {
+    vtkErrorMacro("There is no connection " << connection << ". Give a number from 0 on.");
+  }
+  else if (vtkIsosurfaceRayTraceSharedSettings::SetAt(connection, volume, this->ConnectionVolumes))
   {
     this->Modified();
   }
@@ -143,7 +147,6 @@ vtkIsosurfaceRayTraceSettings vtkIsosurfaceRayTraceMeshMapper::GetSettings() con
 vtkIsosurfaceRayTraceInputSettings vtkIsosurfaceRayTraceMeshMapper::GetInputSettings() const
 {
   vtkIsosurfaceRayTraceInputSettings settings{};
-  settings.Kinds = "vtkUnstructuredGrid, a vtkStructuredGrid";
   vtkIsosurfaceRayTraceSharedSettings::Fill(*this, settings);
   settings.Tetrahedralize = this->Tetrahedralize;
   return settings;

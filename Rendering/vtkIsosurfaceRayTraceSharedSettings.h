@@ -116,7 +116,7 @@ struct vtkIsosurfaceRayTraceSharedSettings
   /// Sets a volume of a list by its number. Returns whether it has changed.
   static bool SetAt(int number, vtkVolume* volume, std::vector<vtkSmartPointer<vtkVolume>>& volumes)
   {
-    if (number < 0 || GetAt(number, volumes) == volume)
+    if (GetAt(number, volumes) == volume)
     {
       return false;
     }

@@ -110,7 +110,7 @@ Arguments ParseArguments(int argc, char* argv[])
   Programs::CommandLine commandLine(argc, argv);
   commandLine.Add("--input", &arguments.Input,
     "A volume: .vti, .nii, .mhd or any other image that VTK reads, or a folder of DICOM slices; or "
-    "a mesh: .vtu, .vts, .pvtu, .pvts, .vtk, .vtm or Exodus.");
+    "a mesh: .vtu, .vts, .pvtu, .pvts, .vtk, .vtm or Exodus (.e, .ex2, .exo, .g).");
   commandLine.Add("--array", &arguments.Array,
     "The array, of points or cells; that of cells is averaged to points. Default: the active "
     "scalars, or else the first array.");
@@ -120,9 +120,9 @@ Arguments ParseArguments(int argc, char* argv[])
   commandLine.Add("--repeats", &arguments.Repeats,
     "The number of measurements of each time, 1 to 1000; the median is reported. Default: 3.");
   commandLine.Add("--thorough", &arguments.Thorough,
-    "Measure all methods, and for the report of a volume also up to how many pictures rays need "
-    "less "
-    "time, by the volume in up to nine sizes: minutes instead of seconds.");
+    "Measure all methods. With --report, also resample a volume to up to nine sizes, and find for "
+    "how many pictures of one isovalue ray tracing takes less time than triangles. Takes minutes "
+    "instead of seconds.");
   commandLine.Add("--json", &arguments.Json, "Write the table to this file, as JSON.");
   commandLine.Add("--csv", &arguments.Csv, "Write the table to this file, as CSV.");
   commandLine.Add("--report", &arguments.Report,

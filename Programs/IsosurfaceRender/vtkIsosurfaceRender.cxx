@@ -82,10 +82,10 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
   commandLine.Add("--opacity", &arguments.Opacities,
     "An opacity from 0 to 1 for each isovalue, in their order. Default: 1.");
   commandLine.Add("--output", &arguments.Output, "The picture, a PNG file.");
-  commandLine.Add(
-    "--width", &arguments.Width, "The width of the picture in pixels. Default: 1024.");
-  commandLine.Add(
-    "--height", &arguments.Height, "The height of the picture in pixels. Default: 1024.");
+  commandLine.Add("--width", &arguments.Width,
+    "The width of the picture in pixels, from 1 to 65536. Default: 1024.");
+  commandLine.Add("--height", &arguments.Height,
+    "The height of the picture in pixels, from 1 to 65536. Default: 1024.");
   commandLine.Add("--azimuth", &arguments.Azimuth,
     "By how many degrees the camera turns around the volume, from the front (y). Default: 30.");
   commandLine.Add("--elevation", &arguments.Elevation,
@@ -117,7 +117,11 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
   {
     throw std::runtime_error("--width and --height take numbers from 1 to 65536");
   }
-  if (!(std::abs(arguments.Elevation) < 90.0) || !std::isfinite(arguments.Azimuth))
+  if (!std::isfinite(arguments.Azimuth))
+  {
+    throw std::runtime_error("--azimuth takes a finite number of degrees");
+  }
+  if (!(std::abs(arguments.Elevation) < 90.0))
   {
     throw std::runtime_error("--elevation takes a number between -90 and 90");
   }

@@ -9,15 +9,11 @@
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
-#include <vtkCompositeDataSet.h>
 #include <vtkContourValues.h>
 #include <vtkDataObject.h>
-#include <vtkImageData.h>
 #include <vtkLightKit.h>
 #include <vtkMatrix4x4.h>
-#include <vtkMultiBlockDataSet.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkRectilinearGrid.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkVolumeProperty.h>
@@ -30,20 +26,6 @@ namespace Viewer
 namespace
 {
 
-/// Meshes as a block: so the mapper of images takes them, too.
-vtkSmartPointer<vtkDataObject> MakeInput(vtkDataObject* data)
-{
-  if (vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
-    vtkCompositeDataSet::SafeDownCast(data))
-  {
-    return data;
-  }
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, data);
-  return blocks;
-}
-
-//------------------------------------------------------------------------------
 /// Looks at the +y side, slightly from one side and from above, with z up: at the face of a head
 /// whose y axis runs to the front.
 void PlaceCamera(vtkCamera* camera)
@@ -82,7 +64,7 @@ double FindExtent(const double bounds[6], vtkRenderer* renderer)
 Scene::Scene(vtkDataObject* data, const Scalars& scalars, const std::vector<double>& isovalues)
   : Highest(scalars.GetHighest())
 {
-  this->Mapper->SetInputDataObject(MakeInput(data));
+  this->Mapper->SetInputDataObject(data);
   scalars.SelectFor(this->Mapper);
   if (scalars.AreVectors())
   {

@@ -305,6 +305,7 @@ class TestIsosurfaceRender(unittest.TestCase):
         self.check_failure(run(*arguments, "--isovalue", "160", "--opacity", "0.5"), "--opacity takes")
         self.check_failure(run(*arguments, "--azimuth", "front"), "front is not a number")
         self.check_failure(run(*arguments, "--azimuth", "nan"), "nan is not a number")
+        self.check_failure(run(*arguments, "--azimuth", "inf"), "--azimuth takes")
         self.check_failure(run("--isovalue", "157", "--frame", *arguments), "unknown option --frame")
         self.check_failure(run(*arguments, "--width", "99.5"), "99.5 is not an integer")
         compressed = self.folder / "compressed.vti"

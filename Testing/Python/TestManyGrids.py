@@ -746,6 +746,13 @@ class TestManyGrids(unittest.TestCase):
         own.VisibilityOn()
         self.assertEqual(cast(mapper, volume, rays), hits)
 
+    def test_numbers_of_connections(self):
+        for mapper in (vtkIsosurfaceRayTraceMapper(), vtkIsosurfaceRayTraceMeshMapper()):
+            before = mapper.GetMTime()
+            (message,) = errors_of(mapper, lambda mapper=mapper: mapper.SetConnectionVolume(-1, vtkVolume()))
+            self.assertIn("There is no connection -1", message)
+            self.assertEqual(mapper.GetMTime(), before)
+
     def test_projections_without_a_hidden_connection(self):
         rays = parallel_rays(11)
         values = (lambda p: p[0], lambda p: 10.0 + p[0])

@@ -43,7 +43,13 @@ const Kernels& ChooseKernels(const char* name)
   const auto index = static_cast<std::size_t>(found - names.begin());
   if (index >= kernels.size())
   {
-    std::cerr << "vtkIsosurfaceRayTracing: this processor has no kernels \"" << name << "\"\n";
+    std::cerr << "vtkIsosurfaceRayTracing: VTK_ISOSURFACE_RAY_TRACING_KERNELS is \"" << name
+              << "\"; this processor runs";
+    for (std::size_t i = 0; i < kernels.size(); ++i)
+    {
+      std::cerr << ' ' << names[i];
+    }
+    std::cerr << ", and the last of these is taken.\n";
     return *kernels.back();
   }
   return *kernels[index];
