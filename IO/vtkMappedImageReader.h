@@ -17,12 +17,12 @@
  * - MetaImage (.mhd, .mha)
  * - NRRD (.nhdr, .nrrd) with the encoding raw
  * - NIfTI (.nii); of several time steps the first; the values as they are stored, to which
- * scl_slope and scl_inter are not applied
+ *   scl_slope and scl_inter are not applied
  * - the XML format of VTK (.vti) with raw appended data (vtkXMLWriter::EncodeAppendedDataOff,
  *   SetCompressorTypeToNone), in one piece, of which nothing is hidden (vtkGhostType); only the
  *   active scalars of the points
- * - files of any other name as raw samples, of which the extent, type, header size, byte order and
- * so on are set as for vtkImageReader2
+ * - files of any other name as raw samples, of which the extent, type, header size and byte order
+ *   are set as for vtkImageReader2, and FileDimensionality to 3 (2, the default, is an error)
  *
  * The output is what VTK's reader of the format gives, bit for bit, with one difference. Samples
  * that VTK's readers reverse (raw ones without FileLowerLeft and NRRD in a left-handed space along

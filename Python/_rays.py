@@ -42,10 +42,13 @@ def cast_rays(
 ) -> Hits:
     """Find where rays meet isosurfaces, up to the first opaque one.
 
+    A ray ends, too, where the surfaces before it together transmit less than 1/1024 of the light: after 11 hits of
+    opacity 0.5. An opacity of 0.001 finds all (up to some 6900).
+
     Parameters
     ----------
     surfaces, isovalues, **options
-        As for ``render``.
+        As for ``isosurface``; or volumes that it returned.
     origins, directions : array_like
         Rows of x, y and z; a single one stands for all.
 
@@ -55,8 +58,8 @@ def cast_rays(
 
     Examples
     --------
-    >>> hits = cast_rays(ct, [[0, 0, z] for z in range(100)], [1, 0, 0], isovalues=300)
-    >>> thickness = np.diff(hits.t[hits.rays == 50])
+    >>> hits = cast_rays(ct, [[0, 0, z] for z in range(100)], [1, 0, 0], isovalues=300, opacity=0.001)
+    >>> thickness = np.ptp(hits.t[hits.rays == 50])
     """
     volume = to_volume(surfaces, isovalues, options)
     origins, directions = _to_rows("origins", origins), _to_rows("directions", directions)

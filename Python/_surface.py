@@ -61,22 +61,23 @@ def isosurface(
     isovalues : float, sequence of float or "auto"
         "auto" is the threshold between the two classes of values that differ most (Otsu's).
     scalars : str, optional
-        The name of the array, of points or of cells. Without it, the active one. Of vectors the length counts.
+        The name of the array, of points or of cells. Without it, the active one. Of vectors, the magnitude is used.
     color : colour or list of colours, optional
-        A name of CSS, "#rrggbb", or red, green and blue from 0 to 1: one for all isovalues or one for each.
+        A name of CSS, "#rrggbb", or red, green and blue from 0 to 1: one for all isovalues or one for each. Without it,
+        ivory; of several isovalues, from blue to ivory.
     opacity : float or sequence of float, optional
         From 0 to 1, one for all isovalues or one for each. Without it, the surface of the largest isovalue is opaque,
-        and the others are translucent.
+        and the others have an opacity of 0.35.
     color_by : str, numpy.ndarray or vtkImageData, optional
         What colours the surfaces instead: another array of the data by its name, one with a value for each sample, or
-        an image of any resolution. Arrays of unsigned char with 3 or 4 components are colours; of other vectors the
-        length counts.
+        an image of any resolution. Arrays of unsigned char with 3 or 4 components are colours; of other vectors, the
+        magnitude is used.
     cmap : str, list of colours or callable
         The colours of ``color_by``: "viridis", "coolwarm", "gray", "inferno", a colour map of matplotlib or its name,
         or colours between which is interpolated.
     clim : pair of float, optional
-        The values of the ends of ``cmap``, without ``color_by`` of the colours of ``caps``. Without them, the range of
-        the array; of ``caps``, from the least isovalue to what 99 of 100 values above it do not exceed.
+        The values at the two ends of ``cmap`` or, without ``color_by``, of the colours of ``caps``. Without them, the
+        range of the array; for ``caps``, from the smallest isovalue to the 99th percentile of the values above it.
     clip : normal, (point, normal), vtkPlane, or list of these, optional
         Planes that cut the surfaces. What the normal points to is kept; it is a vector or an axis ("x", "-z"), and
         without a point the plane is through the centre of the data.
@@ -84,7 +85,9 @@ def isosurface(
         Whether cuts are closed, and the colours of the data on them, unless there is a ``color_by``; True is that of
         the surface, and None is False.
     shadows, occlusion : bool
-        Whether the surfaces cast shadows on each other, and hide ambient light from each other. Each takes more time.
+        Whether the surfaces cast shadows on each other, and hide ambient light from each other where they are nearer
+        than a quarter of the diagonal of the data; by four rays for each of the ``samples``: with few of these, pictures
+        are noisy. Each takes more time.
     interpolation : {"linear", "cubic", "nearest"}
         Between samples. Meshes have their own.
     samples : int

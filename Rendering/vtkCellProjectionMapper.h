@@ -78,14 +78,16 @@
  * All else is that of vtkIsosurfaceRayTraceMeshMapper, with the same settings: inputs (also
  * composite ones and several connections), arrays, hidden cells, clipping planes, opaque geometry
  * in the cloud, ImageSampleDistance, RenderToImage, threads, errors and events. Picking, CastRays
- * and selections find the isosurfaces.
+ * and selections find the isosurfaces. RenderToFragments is an error: a cloud fills the space
+ * between surfaces.
  *
  * K.-L. Ma, S. Parker: Massively Parallel Software Rendering for Visualizing Large-Scale Data Sets.
  * IEEE Computer Graphics and Applications 21(4), 2001.
  * K.-L. Ma, T. W. Crockett: A Scalable Parallel Cell-Projection Volume Rendering Algorithm for
  * Three-Dimensional Unstructured Data. IEEE Parallel Rendering Symposium, 1997.
  *
- * @sa vtkIsosurfaceRayTraceMeshMapper vtkUnstructuredGridVolumeRayCastMapper vtkProjectedTetrahedra
+ * @sa vtkIsosurfaceRayTraceMeshMapper vtkUnstructuredGridVolumeRayCastMapper
+ * vtkProjectedTetrahedraMapper
  */
 
 #ifndef vtkCellProjectionMapper_h
@@ -140,7 +142,8 @@ public:
 #endif
 
   /**
-   * Copies the inputs and all settings of another mapper; inputs and clipping planes are shared.
+   * Copies the inputs and all settings of another mapper of this class (of a
+   * vtkIsosurfaceRayTraceMeshMapper, those that it has); inputs and clipping planes are shared.
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 

@@ -13,7 +13,9 @@
  * GetPickPosition and GetPickNormal are those of the surface (the normal towards smaller values, by
  * the mapper's NormalMode; of a cap, see the mapper's CapClippingPlanes, that of its plane),
  * GetCellId, GetPCoords, GetCellIJK and GetPointId those of the image (of a mesh there is no
- * GetCellIJK), and GetIsovalue is that of the surface. Other props are picked as by
+ * GetCellIJK), and GetIsovalue is that of the surface. Of composite input GetCompositeDataSet,
+ * GetFlatBlockIndex and GetDataSet tell the block, in which cells and points are numbered. Other
+ * props are picked as by
  * vtkVolumePicker, at the centre of the pixel; of all, the nearest is picked.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceRayTraceMeshMapper vtkVolumePicker vtkCellPicker

@@ -5,22 +5,25 @@
  * @brief   ray trace isosurfaces straight from image data, on the CPU
  *
  * A volume mapper that draws the isosurfaces of a vtkImageData or a vtkRectilinearGrid without
- * extracting polygons. Every ray is intersected with the trilinear interpolant of the data: inside
- * a cell that is a cubic along the ray, and its first root is the hit. (Samples may also be boxes,
- * whose faces are hit, or the interpolant tricubic: see InterpolationMode.) A new isovalue, colour
- * or camera costs a frame and nothing else.
+ * extracting polygons. (A mesh may be the input, too; it is drawn as by
+ * vtkIsosurfaceRayTraceMeshMapper.) Every ray is intersected with the trilinear interpolant of the
+ * data: inside a cell that is a cubic along the ray, and its first root is the hit. (Samples may
+ * also be boxes, whose faces are hit, or the interpolant tricubic: see InterpolationMode.) A new
+ * isovalue, colour or camera costs a frame and nothing else.
  *
  * @par Surfaces:
  * The isovalues are those of vtkVolumeProperty::GetIsoSurfaceValues(); there may be several. The
  * colour and opacity of a surface are the transfer functions of the property at its isovalue
  * (the opacity is that of a surface: ScalarOpacityUnitDistance has no part in it). The nearest
  * opaque surface hides what is behind it; translucent surfaces are composited in the order in
- * which each ray meets them. A property without isovalues draws nothing; a new one has
- * one, which is 0. Points whose value is
+ * which each ray meets them, as far as those before them transmit 1/1024 of the light. A property
+ * without isovalues draws nothing; a new one has one, which is 0. Points whose value is
  * greater than or equal to the isovalue are inside, as in vtkFlyingEdges3D.
  *
  * @par Intensity projections:
- * With SetBlendModeToMaximumIntensity() (or MinimumIntensity), no surfaces are drawn: every ray
+ * The blend mode is ISOSURFACE_BLEND, which SetBlendModeToIsoSurface() sets, unlike that of a new
+ * vtkVolumeMapper, COMPOSITE_BLEND, which is an error here, as are all others but two. With
+ * SetBlendModeToMaximumIntensity() (or MinimumIntensity), no surfaces are drawn: every ray
  * shows the largest (smallest) value of the same interpolant along its visible part, exact to
  * rounding, through the colour and the opacity function of the property, as VTK's ray cast mappers
  * do: not lit, not scaled by any length, and without a depth in the window. Where several points
@@ -77,7 +80,8 @@
  * A warning tells, once, why a picture has no surface where no isovalue is within the scalars, that
  * shadows or occlusion have no effect without shading, nor occlusion without ambient light, that
  * surfaces that reflect light have none, and, of RenderToImage, that the camera sees nothing of the
- * data. Of data that are one of several pieces, or have ghost cells, it tells nothing of isovalues.
+ * data. For a piece of distributed data, and for data with ghost cells, there is no warning about
+ * isovalues: the surface may be in another piece.
  *
  * @par Rectilinear grids:
  * The coordinates of a vtkRectilinearGrid may be of any type, ascending or descending, and may
@@ -103,6 +107,10 @@
  * other lattices, each block is traced by itself where it is; small ones are prepared when the
  * first ray comes to them. Where caps of several blocks coincide, the first block is seen.
  *
+ * Blocks that are empty, without volume or without the scalars are ignored. If anything else is
+ * wrong with a block, one warning says so, and the others are drawn. Cells and points are numbered
+ * through all blocks: see FindBlock. All this holds for AMR data, too.
+ *
  * @par AMR data:
  * AMR data (vtkOverlappingAMR, vtkNonOverlappingAMR) with scalars of points or of cells are drawn
  * by their finest cells. Levels meet without cracks: their interpolants are one continuous
@@ -115,10 +123,6 @@
  * with the same spacing are of one level. Of blocks of one level that overlap, the first counts,
  * but not its ghosts. A block that may have a surface is prepared when the first ray comes to it,
  * in 8 bytes for each of its points, or 64 for each of its cells.
- *
- * Blocks that are empty, without volume or without the scalars are ignored. If anything else is
- * wrong with a block, one warning says so, and the others are drawn. Cells and points are numbered
- * through all blocks: see FindBlock.
  *
  * @par Clipping and cropping:
  * ClippingPlanes and Cropping cut the surface exactly, along every ray. A cropping plane is
@@ -407,15 +411,15 @@ public:
    * bounds are those of the others. Data without points are passed over, unless no connection has
    * any. The volume must not be in a renderer by itself. Null, the default: the property is that of
    * the drawn volume, and the data are where they are. Cells are numbered through all connections.
+   * A connection less than 0 is an error.
    */
   void SetConnectionVolume(int connection, vtkVolume* volume);
   vtkVolume* GetConnectionVolume(int connection) const;
   ///@}
 
   /**
-   * Set the second input (SetInputConnection(1, port) connects one): an image to colour the
-   * surfaces by, of any resolution, in the same coordinates. Its border values extend beyond it.
-   * Null removes it. Default: none.
+   * Set the second input, an image to colour the surfaces by: see ColorArrayName.
+   * (SetInputConnection(1, port) connects one.) Null removes it. Default: none.
    */
   void SetColorInputData(vtkImageData* image);
 
@@ -604,13 +608,12 @@ public:
    * that is allowed (MaximumImageSampleDistance). All other pictures, rays, picks and selections
    * are of all samples, as without it. Default: off.
    *
-   * The coarse level has about 2^21 samples (at most 16 MiB), every few along each axis, as they
-   * are. Slices between them are not read: of a volume in a file, one in 8 of 2 GiB with 16 bits a
-   * sample. About 16 MiB of them are passed over for each frame, from the coarsest distance to the
-   * finest, so that the first frame shows all of the volume, and each further one more of it;
-   * beside them all samples are read as without it. Thin features may be missing, and surfaces lie
-   * near those of all samples. Arrays to colour by (ColorArrayName) are looked at where surfaces
-   * are.
+   * The coarse level has at most about 2^21 samples (16 MiB): every n-th one along each axis, not
+   * filtered. Slices between them are not read: of a file of 2 GiB with 16 bits a sample, one slice
+   * in 8 is. Each frame reads some 16 MiB of it, first slices far apart and then those between, so
+   * that the first frame shows the whole volume and the next ones refine it; all samples are read
+   * meanwhile, as without it. Thin features may be missing, and surfaces are slightly displaced.
+   * Arrays to colour by (ColorArrayName) are looked at where surfaces are.
    *
    * K.-L. Ma, S. Parker (2001), see above: interactivity over accuracy.
    */
@@ -799,12 +802,16 @@ public:
   /**
    * Casts rays, given by origins and directions in world coordinates, on all threads, as
    * IntersectWithLine does: a ray has all the hits that contribute to a pixel, up to the first
-   * opaque one. The directions have three components, one tuple for each origin; their length is
-   * the unit of T.
+   * opaque one, or to where the surfaces before it transmit less than 1/1024 of the light: after 11
+   * hits of opacity 0.5. To find them all, give the surfaces a small opacity, such as 0.001 (some
+   * 6900 hits). The directions have three components, one tuple for each origin; their length is
+   * the unit of T. Rays begin at their origins, where T is 0, and do not end. Those whose direction
+   * is 0 or not finite have no hits.
    *
-   * The output has a point for every hit, by ray and from front to back, and as point data RayId, T
-   * (in units of the direction), CellId, ParametricCoordinates (3), Isovalue and Normals (3).
-   * Returns whether rays were cast; if not, an error reports why.
+   * The output has a point (double) for every hit, by ray and from front to back, and as point data
+   * RayId and CellId (vtkIdType), T (in units of the direction), Isovalue, ParametricCoordinates
+   * and Normals (double; the last two have 3 components). Returns whether rays were cast; if not,
+   * an error reports why.
    */
   bool CastRays(
     vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
@@ -841,14 +848,15 @@ public:
    * (null) there is one headlight, as in a new renderer.
    *
    * The output has a point for every pixel, in rows from the bottom, and as point data Colors (red,
-   * green, blue and opacity, the colours multiplied by the opacity; the active scalars) and Depth
-   * (that of the nearest opaque surface in the depth buffer, from 0 to 1; 1 where there is none).
-   * Further arrays describe the nearest surface, translucent or not: Normals (3, as of
-   * IntersectWithLine), Position (3, world coordinates), CellId and IsovalueId (the number of the
-   * isovalue in vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN
-   * and -1. For a projection, Depth and all others are those of the point of the extreme value,
-   * whatever its opacity, and instead of IsovalueId there is Value (double; NaN where there is
-   * none). Returns whether there is a picture; if not, an error reports why.
+   * green, blue and opacity as unsigned char, the colours multiplied by the opacity; the active
+   * scalars) and Depth (float: that of the nearest opaque surface in the depth buffer, from 0 to 1;
+   * 1 where there is none). Further arrays describe the nearest surface, translucent or not:
+   * Normals (3, double, as of IntersectWithLine), Position (3, double, world coordinates), CellId
+   * (vtkIdType) and IsovalueId (int: the number of the isovalue in
+   * vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN and -1. For
+   * a projection, Depth and all others are those of the point of the extreme value, whatever its
+   * opacity, and instead of IsovalueId there is Value (double; NaN where there is none). Returns
+   * whether there is a picture; if not, an error reports why.
    *
    * With ProgressiveAccumulation, Colors are the mean of MaximumNumberOfAccumulatedFrames frames,
    * as of a window that rests: edges are smooth. Everything else is that of the first of them.
@@ -866,12 +874,14 @@ public:
    * Finds what the pixels of the picture of RenderToImage are made of, so that it can be composited
    * with others of the same view. The output has a row for each surface that the ray of a pixel
    * meets and shows, by pixel and front to back, and the columns Pixel (the number of the point in
-   * the output of RenderToImage), T (how far away the surface is, in units that all pictures of a
-   * camera share), Color (3, from 0 to 1, multiplied by the opacity), Opacity and Depth (of an
-   * opaque surface, in the depth buffer; else 1). For a projection there is a row for each extreme
-   * value, whatever its opacity; if there is one connection, Depth is that of the value, and there
-   * is the column Value (double), too. A connection without points has no rows. The depths are
-   * those of RenderToImage. Returns whether there is an output; if not, an error reports why.
+   * the output of RenderToImage; vtkIdType), T (how far away the surface is, in units that all
+   * pictures of a camera share; double), Color (3, from 0 to 1, multiplied by the opacity; double),
+   * Opacity (double) and Depth (of an opaque surface, in the depth buffer; else 1; float). Surfaces
+   * end as in CastRays where those before them transmit too little. For a projection there is a row
+   * for each extreme value, whatever its opacity; if there is one connection, Depth is that of the
+   * value, and there is the column Value (double), too. A connection without points has no rows.
+   * The depths are those of RenderToImage. Returns whether there is an output; if not, an error
+   * reports why.
    *
    * @sa vtkIsosurfaceRayTraceCompositor
    */

@@ -5,10 +5,11 @@
  * @brief   ray trace isosurfaces straight from meshes, on the CPU
  *
  * Draws the isosurfaces of a vtkUnstructuredGrid, a vtkStructuredGrid or composite data of them
- * without extracting polygons, as vtkIsosurfaceRayTraceMapper does those of images: isovalues,
- * colours, opacities, lights, shadows, occlusion, picking, casting and pictures without a window
- * are the same. A new isovalue costs a frame, and the second one the gradients at all points, too,
- * for smooth normals (see NormalMode).
+ * (or of an image or a rectilinear grid, but cropping, interpolation modes and projections are
+ * those of vtkIsosurfaceRayTraceMapper alone) without extracting polygons, as
+ * vtkIsosurfaceRayTraceMapper does those of images: isovalues, colours, opacities, lights, shadows,
+ * occlusion, picking, casting and pictures without a window are the same. A new isovalue costs a
+ * frame, and the second one the gradients at all points, too, for smooth normals (see NormalMode).
  *
  * Cells are what VTK's own functions of them say. In a tetrahedron the values are linear.
  * Hexahedra, voxels, wedges and pyramids are isoparametric: positions and values are the
@@ -19,7 +20,8 @@
  * those do not fill the cell or cut its faces otherwise than those of its neighbours, as VTK
  * contours it: VTK_TRIQUADRATIC_HEXAHEDRON into eight hexahedra, Lagrange hexahedra and wedges into
  * such between their points. (Those of Bezier cells, too, are taken for points on the cell.) Cells
- * of fewer dimensions are passed over, and so are cells with a NaN or infinite corner.
+ * of fewer dimensions are passed over, and so are cells with a NaN or infinite corner. A mesh may
+ * have 2^32 - 1 cells at most.
  *
  * Polyhedra need not be convex, nor their faces flat: they are subdivided into tetrahedra between
  * the triangles of their faces and the mean of their points, which has the mean of their values.
@@ -211,6 +213,7 @@ public:
    * bounds are those of the others. Data without points are passed over, unless no connection has
    * any. The volume must not be in a renderer by itself. Null, the default: the property is that of
    * the drawn volume, and the data are where they are. Cells are numbered through all connections.
+   * A connection less than 0 is an error.
    */
   void SetConnectionVolume(int connection, vtkVolume* volume);
   vtkVolume* GetConnectionVolume(int connection) const;
@@ -458,12 +461,16 @@ public:
   /**
    * Casts rays, given by origins and directions in world coordinates, on all threads, as
    * IntersectWithLine does: a ray has all the hits that contribute to a pixel, up to the first
-   * opaque one. The directions have three components, one tuple for each origin; their length is
-   * the unit of T.
+   * opaque one, or to where the surfaces before it transmit less than 1/1024 of the light: after 11
+   * hits of opacity 0.5. To find them all, give the surfaces a small opacity, such as 0.001 (some
+   * 6900 hits). The directions have three components, one tuple for each origin; their length is
+   * the unit of T. Rays begin at their origins, where T is 0, and do not end. Those whose direction
+   * is 0 or not finite have no hits.
    *
-   * The output has a point for every hit, by ray and from front to back, and as point data RayId, T
-   * (in units of the direction), CellId, ParametricCoordinates (3), Isovalue and Normals (3).
-   * Returns whether rays were cast; if not, an error reports why.
+   * The output has a point (double) for every hit, by ray and from front to back, and as point data
+   * RayId and CellId (vtkIdType), T (in units of the direction), Isovalue, ParametricCoordinates
+   * and Normals (double; the last two have 3 components). Returns whether rays were cast; if not,
+   * an error reports why.
    */
   bool CastRays(
     vtkVolume* volume, vtkPoints* origins, vtkDataArray* directions, vtkPolyData* output);
@@ -534,7 +541,8 @@ public:
     int width, int height, vtkTable* output, vtkFloatArray* depths = nullptr);
 
   /**
-   * Copies the inputs and all settings of another mapper; inputs and clipping planes are shared.
+   * Copies the inputs and all settings of another vtkIsosurfaceRayTraceMeshMapper; inputs and
+   * clipping planes are shared. Of other mappers it copies what their common base class does.
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
