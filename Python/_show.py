@@ -33,7 +33,7 @@ def show(
 ) -> None:
     """Open a window in which the mouse turns isosurfaces, and wait until it is closed.
 
-    While the mouse rests, the picture gets smooth edges. The parameters are those of ``render``; the background is white
+    While the mouse rests, edges are anti-aliased. The parameters are those of ``render``; the background is white
     by default, and ``camera`` is copied.
 
     Raises

@@ -91,7 +91,7 @@ def isosurface(
     interpolation : {"linear", "cubic", "nearest"}
         Between samples. Meshes have their own.
     samples : int
-        How many rays a pixel has in a still picture, from 1 to 256: they smooth edges.
+        How many rays a pixel has in a still picture, from 1 to 256: anti-aliasing.
     spacing, origin, direction : array_like, optional
         Of a numpy array: the distances of samples, the place of the first one, and the axes as the columns of a matrix.
 

@@ -4,10 +4,10 @@
  * @class   vtkCellProjectionMapper
  * @brief   volume rendering of meshes by cell projection, on the CPU
  *
- * Draws a mesh as a cloud: each point glows and absorbs light by the colour and opacity transfer
- * functions of the property. Isosurfaces may be in the cloud, opaque or translucent
- * (DrawIsosurfaces). Images, rectilinear grids and AMR data, alone or among blocks and connections,
- * have isosurfaces there, but no cloud: vtkAppendFilter makes a mesh of them.
+ * Draws a mesh by direct volume rendering, as a cloud: each point emits and absorbs light by the
+ * colour and opacity transfer functions of the property. Isosurfaces may be in the cloud, opaque or
+ * translucent (DrawIsosurfaces). Images, rectilinear grids and AMR data, alone or among blocks and
+ * connections, have isosurfaces there, but no cloud: vtkAppendFilter makes a mesh of them.
  *
  * Every cell is projected to the pixels that it covers. In a tetrahedron the values are linear
  * along a ray, and so are the transfer functions between two of their nodes: the light of each such

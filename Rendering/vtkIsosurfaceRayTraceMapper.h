@@ -654,7 +654,7 @@ public:
    * AutoAdjustSampleDistances, the distance that was chosen. Values from 1 are rounded to a whole
    * number of pixels, and colours are interpolated between the rays; opaque surfaces are hidden by
    * other props pixel by pixel all the same. Values below 1 are rounded to 1/n, and each pixel is
-   * the mean of n^2 rays: 0.5 smooths edges with four rays for every pixel. Range: 0.1 to 100.
+   * the mean of n^2 rays: 0.5 is anti-aliasing with four rays for every pixel. Range: 0.1 to 100.
    * Default: 1.
    */
   vtkIsosurfaceSetClampMacro(ImageSampleDistance, float, 0.1F, 100.0F);
@@ -677,7 +677,7 @@ public:
    * Set/Get whether the picture is refined while nothing changes: each Render() of an unchanged
    * scene traces one more frame, by rays through other points of the pixels and, with
    * AmbientOcclusion, in other directions from the hits, and shows the mean of all frames so far.
-   * Edges become smooth, noise vanishes. The first frame is the same picture as without
+   * Edges are anti-aliased, noise vanishes. The first frame is the same picture as without
    * accumulation; its depth is kept. Whatever changes the picture (camera, lights, property,
    * settings, inputs, size, the depth of what is in front) restarts it; a frame that is aborted
    * (vtkRenderWindow::CheckAbortStatus) leaves it as it is. Each renderer has its own mean,
@@ -859,7 +859,8 @@ public:
    * whether there is a picture; if not, an error reports why.
    *
    * With ProgressiveAccumulation, Colors are the mean of MaximumNumberOfAccumulatedFrames frames,
-   * as of a window that rests: edges are smooth. Everything else is that of the first of them.
+   * as of a window that rests: edges are anti-aliased. Everything else is that of the first of
+   * them.
    *
    * The depths are those of opaque geometry that the picture is drawn over, a value from 0 to 1 for
    * each pixel, in rows from the bottom, as vtkRenderWindow::GetZbufferData and the array Depth

@@ -335,7 +335,7 @@ public:
    * AutoAdjustSampleDistances, the distance that was chosen. Values from 1 are rounded to a whole
    * number of pixels, and colours are interpolated between the rays; opaque surfaces are hidden by
    * other props pixel by pixel all the same. Values below 1 are rounded to 1/n, and each pixel is
-   * the mean of n^2 rays: 0.5 smooths edges with four rays for every pixel. Range: 0.1 to 100.
+   * the mean of n^2 rays: 0.5 is anti-aliasing with four rays for every pixel. Range: 0.1 to 100.
    * Default: 1.
    */
   vtkIsosurfaceSetClampMacro(ImageSampleDistance, float, 0.1F, 100.0F);
@@ -358,7 +358,7 @@ public:
    * Set/Get whether the picture is refined while nothing changes: each Render() of an unchanged
    * scene traces one more frame, by rays through other points of the pixels and, with
    * AmbientOcclusion, in other directions from the hits, and shows the mean of all frames so far.
-   * Edges become smooth, noise vanishes. The first frame is the same picture as without
+   * Edges are anti-aliased, noise vanishes. The first frame is the same picture as without
    * accumulation; its depth is kept. Whatever changes the picture (camera, lights, property,
    * settings, inputs, size, the depth of what is in front) restarts it; a frame that is aborted
    * (vtkRenderWindow::CheckAbortStatus) leaves it as it is. Each renderer has its own mean,
@@ -506,15 +506,17 @@ public:
    * (null) there is one headlight, as in a new renderer.
    *
    * The output has a point for every pixel, in rows from the bottom, and as point data Colors (red,
-   * green, blue and opacity, the colours multiplied by the opacity; the active scalars) and Depth
-   * (that of the nearest opaque surface in the depth buffer, from 0 to 1; 1 where there is none).
-   * Further arrays describe the nearest surface, translucent or not: Normals (3, as of
-   * IntersectWithLine), Position (3, world coordinates), CellId and IsovalueId (the number of the
-   * isovalue in vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN
+   * green, blue and opacity as unsigned char, the colours multiplied by the opacity; the active
+   * scalars) and Depth (float: that of the nearest opaque surface in the depth buffer, from 0 to 1;
+   * 1 where there is none). Further arrays describe the nearest surface, translucent or not:
+   * Normals (3, double, as of IntersectWithLine), Position (3, double, world coordinates), CellId
+   * (vtkIdType) and IsovalueId (int: the number of the isovalue in
+   * vtkVolumeProperty::GetIsoSurfaceValues()). Where there is no surface these are NaN
    * and -1. Returns whether there is a picture; if not, an error reports why.
    *
    * With ProgressiveAccumulation, Colors are the mean of MaximumNumberOfAccumulatedFrames frames,
-   * as of a window that rests: edges are smooth. Everything else is that of the first of them.
+   * as of a window that rests: edges are anti-aliased. Everything else is that of the first of
+   * them.
    *
    * The depths are those of opaque geometry that the picture is drawn over, a value from 0 to 1 for
    * each pixel, in rows from the bottom, as vtkRenderWindow::GetZbufferData and the array Depth
@@ -529,11 +531,12 @@ public:
    * Finds what the pixels of the picture of RenderToImage are made of, so that it can be composited
    * with others of the same view. The output has a row for each surface that the ray of a pixel
    * meets and shows, by pixel and front to back, and the columns Pixel (the number of the point in
-   * the output of RenderToImage), T (how far away the surface is, in units that all pictures of a
-   * camera share), Color (3, from 0 to 1, multiplied by the opacity), Opacity and Depth (of an
-   * opaque surface, in the depth buffer; else 1). A connection without points has no rows. The
-   * depths are those of RenderToImage. Returns whether there is an output; if not, an error reports
-   * why.
+   * the output of RenderToImage; vtkIdType), T (how far away the surface is, in units that all
+   * pictures of a camera share; double), Color (3, from 0 to 1, multiplied by the opacity; double),
+   * Opacity (double) and Depth (of an opaque surface, in the depth buffer; else 1; float). Surfaces
+   * end as in CastRays where those before them transmit too little. A connection without points has
+   * no rows. The depths are those of RenderToImage. Returns whether there is an output; if not, an
+   * error reports why.
    *
    * @sa vtkIsosurfaceRayTraceCompositor
    */

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every setting of the mappers, found by its Set and Get, is copied and printed: none is forgotten."""
 
+import re
 import unittest
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane, vtkPlaneCollection
@@ -27,6 +28,11 @@ def find_settings(mapper):
     names = {name[3:] for name in dir(mapper)
              if name.startswith("Set") and not hasattr(vtkAlgorithm, name)}
     return sorted(name for name in names if hasattr(mapper, "Get" + name))
+
+
+def describe(method):
+    """The documentation of a method, without its signatures in Python and C++."""
+    return " ".join(line.strip() for line in method.__doc__.splitlines() if not re.match(r"\w+\(|C\+\+:|    ", line))
 
 
 def others(value):
@@ -153,6 +159,21 @@ class TestSettings(unittest.TestCase):
                     self.assertIsNotNone(before, "it is not printed")
                     change(mapper, name)
                     self.assertNotEqual(printed(mapper, name), before)
+
+    def test_documentation_of_what_both_mappers_have(self):
+        """Headers of VTK say what there is of a class in one place, so much of it is there twice."""
+        differ = {
+            "AmbientOcclusion", "CapClippingPlanes", "ColorArrayName", "TileSize", "VectorMode", "DisplayTime", "ShadeTime",
+            "TraceTime"}  # fmt: skip
+        names = {name for name in vars(vtkIsosurfaceRayTraceMapper) if name.startswith(("Set", "Get", "Cast", "Find"))}
+        checked = 0
+        for name in sorted(names & set(vars(vtkIsosurfaceRayTraceMeshMapper))):
+            if not name[3:].startswith(tuple(differ)):
+                own, other = (describe(getattr(kind, name)) for kind in MAPPERS[:2])
+                with self.subTest(name=name):
+                    self.assertEqual(own, other)
+                checked += 1
+        self.assertGreater(checked, 50)
 
     def test_print_of_the_others(self):
         self.assertIn("Isovalue:", str(vtkIsosurfacePicker()))
