@@ -10,6 +10,7 @@
 #include "vtkIsosurfaceComparisonRow.h"
 
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -44,12 +45,15 @@ bool IsFinite(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
-// The geometry of an image or a mesh with only the scalars to contour.
+// The geometry of an image or a mesh, which degrees and weights of cells are a part of, with only
+// the scalars to contour.
 vtkSmartPointer<vtkDataSet> OnlyScalars(vtkDataSet* data, vtkDataArray* scalars)
 {
   auto result = vtk::TakeSmartPointer(data->NewInstance());
   result->CopyStructure(data);
   result->GetPointData()->SetScalars(scalars);
+  result->GetPointData()->SetRationalWeights(data->GetPointData()->GetRationalWeights());
+  result->GetCellData()->SetHigherOrderDegrees(data->GetCellData()->GetHigherOrderDegrees());
   return result;
 }
 

@@ -8,7 +8,8 @@
  * method and its distance from the isosurface of the trilinear interpolant, which
  * vtkIsosurfaceRayTraceMapper traces. Of a vtkUnstructuredGrid or a vtkStructuredGrid it is the
  * isosurface of the cells' interpolants, which vtkIsosurfaceRayTraceMeshMapper traces. There are
- * methods for images and for meshes; those that are not for the input are passed over.
+ * methods for images and for meshes; those that are not for the input are passed over. Cells and
+ * points that are hidden, or ghosts (vtkGhostType), are taken like all others.
  *
  * Output 0 is a vtkTable with a row for every isovalue and method; the rows of an isovalue are
  * consecutive. Times are wall-clock times in seconds, each the median of all repeats. Values that

@@ -13,14 +13,17 @@
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
+#include "vtkLODProp3D.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkProp3D.h"
+#include "vtkSmartPointer.h"
 #include "vtkTransform.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +51,25 @@ vtkIdType FindNearestPoint(vtkDataSet* grid, vtkIdType cell, const double positi
     }
   }
   return nearest;
+}
+
+/// The volume that a prop is, or, for levels of detail, one like the level that is picked. Null if
+/// it is neither.
+vtkSmartPointer<vtkVolume> FindVolume(vtkProp3D* prop, vtkAbstractVolumeMapper* mapper)
+{
+  auto* levels = vtkLODProp3D::SafeDownCast(prop);
+  if (!levels)
+  {
+    return vtkVolume::SafeDownCast(prop);
+  }
+  vtkVolumeProperty* property = nullptr;
+  levels->GetLODProperty(levels->GetPickLODID(), &property);
+  auto volume = vtkSmartPointer<vtkVolume>::New();
+  volume->SetMapper(mapper);
+  volume->SetProperty(property);
+  volume->SetUserMatrix(levels->GetMatrix());
+  volume->ComputeMatrix();
+  return volume;
 }
 
 /// The pixel at a coordinate; one that no window has if the coordinate is beyond all of them.
@@ -142,8 +164,8 @@ double vtkIsosurfacePicker::IntersectVolumeWithLine(const double p1[3], const do
   double t1, double t2, vtkProp3D* prop, vtkAbstractVolumeMapper* mapper)
 {
   auto* engine = vtkIsosurfaceRayTraceEngine::Of(mapper);
-  auto* volume = vtkVolume::SafeDownCast(prop);
-  if (!engine || !volume)
+  const vtkSmartPointer<vtkVolume> volume = engine ? FindVolume(prop, mapper) : nullptr;
+  if (!volume)
   {
     return this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper);
   }

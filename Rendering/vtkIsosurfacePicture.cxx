@@ -77,8 +77,12 @@ bool ConvertColors(
   {
     convert(colors->GetPointer(4 * i), converted->GetPointer(components * i));
   }
-  image->Initialize();
-  image->CopyStructure(picture);
+  if (image != picture)
+  {
+    image->Initialize();
+    image->CopyStructure(picture);
+  }
+  image->GetPointData()->Initialize();
   image->GetPointData()->SetScalars(converted);
   return true;
 }

@@ -28,11 +28,12 @@ void Append(const Range& range, std::vector<double>& numbers)
   numbers.insert(numbers.end(), range.begin(), range.end());
 }
 
-/// Whether two cameras are the same to within much less than a pixel. vtkWindowToImageFilter takes
-/// the sine of the view angle and the angle of that sine, which differ in the last bits.
+/// Whether two cameras are the same to within much less than a pixel, also of data that are
+/// millions of times their size from the origin. vtkWindowToImageFilter takes the sine of the view
+/// angle and the angle of that sine, which differ in the last bits.
 bool AreTheSame(const vtkirt::Camera& a, const vtkirt::Camera& b)
 {
-  constexpr double tolerance = 1e-7;
+  constexpr double tolerance = 1e-12;
   for (std::size_t row = 0; row < 4; ++row)
   {
     const double* ofA = a.GetClipFromObject().data() + 4 * row;

@@ -6,12 +6,14 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSmartPointer.h"
 #include "vtkUniformGridAMR.h"
 #include "vtkUnstructuredGrid.h"
@@ -32,13 +34,25 @@ vtkMTimeType GetTime(vtkCompositeDataDisplayAttributes* attributes)
   return attributes ? attributes->GetMTime() : 0;
 }
 
-/// When a block was modified. Lists of cells that are set do not modify the grid.
+/// When a block was modified. Lists of cells that are set do not modify the grid, nor does what is
+/// done to coordinates.
 vtkMTimeType GetTime(vtkDataObject* block)
 {
-  const vtkMTimeType time = block->GetMTime();
-  return block->GetDataObjectType() == VTK_UNSTRUCTURED_GRID
-    ? std::max(time, static_cast<vtkUnstructuredGrid*>(block)->GetMeshMTime())
-    : time;
+  vtkMTimeType time = block->GetMTime();
+  if (block->GetDataObjectType() == VTK_UNSTRUCTURED_GRID)
+  {
+    time = std::max(time, static_cast<vtkUnstructuredGrid*>(block)->GetMeshMTime());
+  }
+  else if (block->GetDataObjectType() == VTK_RECTILINEAR_GRID)
+  {
+    auto* grid = static_cast<vtkRectilinearGrid*>(block);
+    for (vtkDataArray* coordinates :
+      { grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates() })
+    {
+      time = coordinates ? std::max(time, coordinates->GetMTime()) : time;
+    }
+  }
+  return time;
 }
 
 /// The lists of a block that is a mesh; else none.

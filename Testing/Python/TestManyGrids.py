@@ -281,6 +281,17 @@ class TestManyGrids(unittest.TestCase):
         self.assertEqual([hit[0] for hit in cast(mapper, volume, rays)],
                          [hit[0] for hit in expected_hits(blocks, rays)])
 
+    def test_coordinates_of_a_block_that_change_in_place(self):
+        grid = make_rectilinear(saddle)
+        mapper, volume = make_volume(multi_block([grid]), 0.1, mapper_class=vtkIsosurfaceRayTraceMapper)
+        self.assertEqual(mapper.GetBounds(), grid.GetBounds())
+        coordinates = grid.GetXCoordinates()
+        for i in range(8):
+            coordinates.SetValue(i, 3.0 * coordinates.GetValue(i))
+        coordinates.Modified()
+        self.assertEqual(mapper.GetBounds(), grid.GetBounds())
+        self.assertEqual(volume.GetBounds(), grid.GetBounds())
+
     def test_blocks_that_come_and_go(self):
         """In a tree in the tree, whose own time alone says so."""
         first, second, *_ = make_blocks()

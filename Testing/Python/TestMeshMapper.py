@@ -66,7 +66,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 import vtkmodules.vtkRenderingOpenGL2  # the window
-from vtkIsosurfaceRayTracing import vtkIsosurfacePicker
+from vtkIsosurfaceRayTracing import vtkIsosurfaceComparisonFilter, vtkIsosurfacePicker
 
 from MeshTesting import (
     SIZE,
@@ -586,6 +586,17 @@ class TestMeshMapper(unittest.TestCase):
         self.assertGreater(len(after), 20)
         self.assertNotEqual(before, after)
         self.assertEqual(after, cast(*make_volume(grid, 0.5, opacity=0.1), rays))
+
+    def test_comparison_of_cells_with_degrees(self):
+        grid = set_values(make_random_cell(VTK_LAGRANGE_HEXAHEDRON, 12), plane)
+        grid.GetCellData().SetHigherOrderDegrees(make_tuple((1, 1, 2)))
+        comparison = vtkIsosurfaceComparisonFilter()
+        comparison.SetInputData(grid)
+        comparison.SetValue(0, 0.5)
+        comparison.PicturesOff()
+        self.assertEqual(errors_of(comparison, comparison.Update), [])
+        pixels = comparison.GetOutput().GetColumnByName("CoveredPixels")
+        self.assertGreater(min(pixels.GetValue(i) for i in range(pixels.GetNumberOfTuples())), 100)
 
     def test_convex_point_sets_divide_a_face_alike(self):
         """A ray that comes from below the isovalue, and gets there again, has as many hits that enter as hits that

@@ -5,12 +5,15 @@
 
 import unittest
 
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
+    vtkLODProp3D,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
@@ -18,6 +21,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 from vtkmodules.vtkRenderingOpenGL2 import vtkEDLShading, vtkRenderStepsPass
 from vtkIsosurfaceRayTracing import (
+    vtkIsosurfacePicker,
     vtkIsosurfaceRayTraceMapper,
     vtkIsosurfaceRayTraceMeshMapper,
     vtkIsosurfaceVolume,
@@ -212,6 +216,54 @@ SCENES = (plain, exact_normals, translucent, lights, shadows, clipped, capped, c
 
 
 class TestMeshScenes(unittest.TestCase):
+    def test_means_of_data_far_away_start_again(self):
+        """A pan by a quarter of a pixel, which is little beside the coordinates."""
+        mesh, far = make_mesh(), (5e6, 5e6, 0.0)
+        move = vtkTransform()
+        move.Translate(far)
+        points = vtkPoints()
+        points.SetDataTypeToDouble()
+        move.TransformPoints(mesh.GetPoints(), points)
+        mesh.SetPoints(points)
+        scene = Scene(vtkIsosurfaceRayTraceMeshMapper(), mesh, vtkVolume())
+        scene.mapper.ProgressiveAccumulationOn()
+        scene.camera.ParallelProjectionOn()
+        scene.camera.Zoom(3.0)  # The data fill the window before and after.
+        # Lights of the camera would move with it.
+        light = vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(5e6, 5e6, 100.0)
+        light.SetFocalPoint(far)
+        scene.renderer.AddLight(light)
+        for expected in (1, 2, 3):
+            scene.window.Render()
+            self.assertEqual(scene.mapper.GetNumberOfAccumulatedFrames(), expected)
+        step = 0.25 * 2.0 * scene.camera.GetParallelScale() / PIXELS
+        scene.camera.SetPosition([x + step for x in scene.camera.GetPosition()])
+        scene.camera.SetFocalPoint([x + step for x in scene.camera.GetFocalPoint()])
+        scene.window.Render()
+        self.assertEqual(scene.mapper.GetNumberOfAccumulatedFrames(), 1)
+
+    def test_picks_of_levels_of_detail(self):
+        """They are those of the volume that is drawn."""
+        for mapper, data in ((vtkIsosurfaceRayTraceMapper(), make_image()), (vtkIsosurfaceRayTraceMeshMapper(), make_mesh())):
+            scene = Scene(mapper, data, vtkVolume())
+            levels = vtkLODProp3D()
+            levels.AddLOD(mapper, scene.surface, 0.0)
+            picks = []
+            for prop in (scene.volume, levels):
+                prop.SetPosition(2.0, 0.0, 1.0)
+                prop.SetScale(-1.0, 1.0, 1.5)
+                scene.renderer.RemoveAllViewProps()
+                scene.renderer.AddViewProp(prop)
+                scene.renderer.ResetCamera()
+                scene.window.Render()
+                picker = vtkIsosurfacePicker()
+                picks.append([(picker.Pick(x, 60, 0, scene.renderer), picker.GetPickPosition(), picker.GetCellId(), picker.GetIsovalue())
+                              for x in range(40, 80, 5)])
+            self.assertEqual(picks[0], picks[1])
+            self.assertTrue(all(pick[0] for pick in picks[0]))
+
     def test_pictures(self):
         image, mesh = make_image(), make_mesh()
         for volume_class in (vtkVolume, vtkIsosurfaceVolume):

@@ -196,6 +196,11 @@ class TestPicture(unittest.TestCase):
             self.assertEqual(straight[3], color[3])
             for multiplied, channel in zip(color[:3], straight[:3]):
                 self.assertLessEqual(abs(channel * color[3] / 255.0 - multiplied), 0.5)
+        same = vtkImageData()
+        same.DeepCopy(picture)
+        self.assertTrue(vtkIsosurfacePicture.UnpremultiplyColors(same, same))
+        self.assertEqual(same.GetDimensions(), picture.GetDimensions())
+        self.assertEqual(bytes(memoryview(scalars(same))), bytes(memoryview(scalars(transparent))))
         for image in (vtkImageData(), make_waves(4), None):
             self.assertFalse(vtkIsosurfacePicture.UnpremultiplyColors(image, transparent))
         self.assertFalse(vtkIsosurfacePicture.FlattenColors(picture, background, None))
