@@ -147,6 +147,11 @@ void CheckFields(const Header& header)
   {
     header.Throw("its header has " + channels + " = " + header.Get(channels));
   }
+  if (!header.IsBinary() && !header.Get(channels).empty() && header.Get(channels) != "1")
+  {
+    header.Throw("it has several components as text, of which VTK's reader takes a part. Write "
+                 "them in binary form");
+  }
   // MET_LONG is of four bytes, which VTK takes for eight.
   const char* const types[] = { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT",
     "MET_UINT", "MET_FLOAT", "MET_DOUBLE" };
@@ -207,6 +212,11 @@ std::vector<std::string> FindDataFiles(const Header& header)
   std::vector<std::string> files;
   if (SystemTools::StringStartsWith(value, "LIST"))
   {
+    if (value != "LIST" && value != "LIST 2D")
+    {
+      header.Throw("its header has ElementDataFile = " + value +
+        ", which VTK's reader takes for files of slices. Write a slice into each file");
+    }
     std::istringstream lines(header.Rest);
     std::string line;
     while (std::getline(lines, line))

@@ -228,6 +228,56 @@ bool ArePartsFirst(const Header& header)
   return !isOther && (sizes.size() < 4 || (sizes.size() == 4 && isFirst));
 }
 
+//------------------------------------------------------------------------------
+bool IsRaw(const Header& header)
+{
+  return SystemTools::LowerCase(header.Get("encoding")) == "raw";
+}
+
+//------------------------------------------------------------------------------
+double GetBytesOfSample(const Header& header)
+{
+  const std::string type = SystemTools::LowerCase(header.Get("type"));
+  const auto has = [&type](const char* word) { return type.find(word) != std::string::npos; };
+  if (has("char") || has("int8"))
+  {
+    return 1.0;
+  }
+  if (has("short") || has("int16"))
+  {
+    return 2.0;
+  }
+  return has("double") || has("int64") || has("long long") || has("longlong") ? 8.0 : 4.0;
+}
+
+//------------------------------------------------------------------------------
+/// What VTK's reader takes compressed samples for that are others; empty if it reads them.
+std::string FindProblemOfCompressed(const Header& header, const std::string& fileName)
+{
+  const std::vector<std::string> sizes = SplitWords(header.Get("sizes"));
+  if (sizes.size() > 3 && sizes.front() != "1")
+  {
+    return "has compressed samples of several components, of which VTK's reader takes a part";
+  }
+  if (GetBytesOfSample(header) > 1.0 && SystemTools::LowerCase(header.Get("endian")) == "big")
+  {
+    return "has compressed big-endian samples, whose bytes VTK's reader does not swap";
+  }
+  const std::string dataFile = GetDataFile(header);
+  if (IsSeveralFiles(dataFile))
+  {
+    return "has compressed samples in several files, of which VTK's reader takes the first";
+  }
+  const double bytes = GetCount(header) * GetBytesOfSample(header);
+  if (!dataFile.empty() &&
+    static_cast<double>(SystemTools::FileLength(FindNamedFile(fileName, dataFile))) > bytes)
+  {
+    return "has compressed samples in a file that is longer than they are without compression, of "
+           "which VTK's reader takes the beginning for a header";
+  }
+  return "";
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -262,6 +312,11 @@ void CheckNrrd(const std::string& fileName)
                  "VTK's reader takes for them, or does not tell the axis (kinds). Write one "
                  "volume.");
   }
+  const std::string problem = IsRaw(header) ? "" : FindProblemOfCompressed(header, fileName);
+  if (!problem.empty())
+  {
+    header.Throw(problem + ". Write them with the encoding raw.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -283,8 +338,8 @@ std::optional<NrrdSamples> FindRawSamplesOfNrrd(const std::string& fileName)
   const Header header = ReadHeader(fileName);
   const double count = GetCount(header);
   const std::string dataFile = GetDataFile(header);
-  if (SystemTools::LowerCase(header.Get("encoding")) != "raw" || IsSeveralFiles(dataFile) ||
-    !IsZero(header.Get("byte skip", "byteskip")) || !IsZero(header.Get("line skip", "lineskip")))
+  if (!IsRaw(header) || IsSeveralFiles(dataFile) || !IsZero(header.Get("byte skip", "byteskip")) ||
+    !IsZero(header.Get("line skip", "lineskip")))
   {
     return {};
   }
@@ -313,8 +368,8 @@ std::optional<NrrdPlace> FindPlaceOfNrrd(const std::string& fileName)
   }
   NrrdPlace place{ { ParseVectors(directions), ParseVector(header.Get("space origin")) }, false };
   const std::string name = header.Get("space");
-  place.AreRowsReversed =
-    name == "left-anterior-superior" || name == "LAS" || name == "3D-left-handed";
+  place.AreRowsReversed = IsRaw(header) &&
+    (name == "left-anterior-superior" || name == "LAS" || name == "3D-left-handed");
   const std::string space = SystemTools::LowerCase(name);
   if (space == "left-posterior-superior" || space == "lps")
   {

@@ -17,9 +17,9 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, v
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from ._errors import silence
-from ._headers import check_amr, check_appended, check_metaimage, check_nifti, check_nrrd, fields_of_metaimage, is_true, size_of_samples
+from ._headers import check_amr, check_metaimage, check_nifti, check_nrrd, check_xml, fields_of_metaimage, is_true, size_of_samples
 from ._patient import place_by_header, place_nifti, place_slices
-from ._slices import check_values, find_slices, only_files, warn_of_distances
+from ._slices import correct_values, find_slices, only_files, warn_of_distances
 from .vtkIsosurfaceRayTracing import vtkMappedImageReader
 
 READERS = {
@@ -109,7 +109,7 @@ def _read_slices(folder):
         if data.GetDimensions()[2] != len(slices):
             raise ValueError(f"{folder} has {len(slices)} slices, of which VTK's reader takes {data.GetDimensions()[2]} "
                              "for one series; put each series into a folder of its own")
-        check_values(folder, data, slices)
+        correct_values(folder, data, slices)
         place_slices(data, slices)
         warn_of_distances(folder, slices)
     return data
@@ -134,7 +134,7 @@ def _make_reader(path):
     if reader is not None and reader.IsA("vtkNIFTIImageReader"):
         check_nifti(path)
     if reader is not None and reader.IsA("vtkXMLReader"):
-        check_appended(path)
+        check_xml(path)
     if reader is not None and reader.IsA("vtkXMLUniformGridAMRReader"):
         check_amr(path)
         reader.SetMaximumLevelsToReadByDefault(0)  # all

@@ -58,12 +58,40 @@ def are_local(fields):
 
 
 def size_of_samples(path, fields):
-    """The bytes that a MetaImage has for samples; without an end where they are in several files."""
+    """The bytes that a MetaImage has for samples."""
     if are_local(fields):
         return os.path.getsize(path) - len(_header_of_metaimage(path))
-    samples = os.path.join(os.path.dirname(path), os.fsdecode(fields.get("ElementDataFile", b"")))
     skipped = fields.get("HeaderSize", b"")
-    return os.path.getsize(samples) - (int(skipped) if skipped.isdigit() else 0) if os.path.isfile(samples) else math.inf
+    sizes = [os.path.getsize(file) - (int(skipped) if skipped.isdigit() else 0) for file in _files_of_metaimage(path, fields)]
+    return min(sizes) * len(sizes)  # All have as many samples.
+
+
+def _files_of_metaimage(path, fields):
+    """Those that have the samples: one, or one for each slice."""
+    name = os.fsdecode(fields.get("ElementDataFile", b""))
+    if pattern := re.fullmatch(r"([^%]*%0?[1-9]?d[^% ]*) +(\d+) +(\d+)( +[1-9]\d*)?", name):
+        form, first, last, step = pattern.groups()
+        names = [form % i for i in range(int(first), int(last) + 1, int(step or 1))]
+    elif re.fullmatch(r"LIST( +2D)?", name):
+        with open(path, "rb") as stream:
+            lines = stream.read(LONGEST).partition(b"ElementDataFile")[2].splitlines()
+        names = [os.fsdecode(line.strip()) for line in lines[1:] if line.strip()]
+    elif name.startswith("LIST") or "%" in name:
+        raise ValueError(f"{path} has the ElementDataFile {name!r}, which VTK's reader takes for others than it means; write the "
+                         "samples into one file, or each slice into a file in a LIST")
+    else:
+        names = [name] if name else []
+    if not names:
+        raise ValueError(f"{path} is damaged: its header names no file of samples")
+    return [_find_file_of_samples(path, name) for name in names]
+
+
+def _find_file_of_samples(path, name):
+    """The file that a header names."""
+    file = os.path.join(os.path.dirname(path), name)
+    if not os.path.exists(file):
+        raise ValueError(f"{path} is a header, whose samples are in the file {name}, which is not there; put it beside the header")
+    return file
 
 
 def check_metaimage(path):
@@ -80,15 +108,10 @@ def check_metaimage(path):
     if is_true(fields.get("CompressedData", b"")) and are_local(fields) and "CompressedDataSize" not in fields:
         raise ValueError(f"{path} has compressed samples without their CompressedDataSize, which VTK's reader needs where they "
                          "are in the file of the header; write them into a file of their own, or not compressed")
+    if not is_true(fields.get("BinaryData", b"True")) and fields.get("ElementNumberOfChannels", b"1") != b"1":
+        raise ValueError(f"{path} has several components as text, of which VTK's reader takes a part; write them in binary form")
     if not are_local(fields):
-        _check_file_of_samples(path, fields.get("ElementDataFile", b""))
-
-
-def _check_file_of_samples(path, name):
-    """Refuse a header whose samples are in a file that is not there. (Where they are in several, VTK's reader does.)"""
-    name = os.fsdecode(name)
-    if name and "%" not in name and not name.startswith("LIST") and not os.path.exists(os.path.join(os.path.dirname(path), name)):
-        raise ValueError(f"{path} is a header, whose samples are in the file {name}, which is not there; put it beside the header")
+        _files_of_metaimage(path, fields)
 
 
 def place_of_metaimage(path):
@@ -134,16 +157,16 @@ def _header_of_nifti(path):
         return b""
 
 
-def check_appended(path):
-    """Refuse files of XML that end before their last samples, and those that name such files: VTK's readers leave these
-    samples undefined where they are raw."""
-    for name in _check_one_appended(path):
+def check_xml(path):
+    """Refuse files that end before their last samples, or whose pieces do not fill them, and those that name such files: VTK's
+    readers leave these samples undefined, or crash."""
+    for name in _check_one_xml(path):
         piece = os.path.join(os.path.dirname(path), os.fsdecode(name))
         if os.path.isfile(piece):
-            _check_one_appended(piece)
+            _check_one_xml(piece, is_piece=True)
 
 
-def _check_one_appended(path):
+def _check_one_xml(path, is_piece=False):
     """The names of files in it."""
     with open(path, "rb") as stream:
         text = stream.read(LONGEST_TEXT)
@@ -152,7 +175,30 @@ def _check_one_appended(path):
         offsets = re.findall(rb'\soffset\s*=\s*"(\d+)"', header)
         if start and offsets and not _is_whole(stream, header, start.end() + max(map(int, offsets))):
             raise ValueError(f"{path} is damaged: it ends before its last samples")
+    if is_piece and not start and text and not _has_end(path):
+        raise ValueError(f"{path} is damaged: it has no end (</VTKFile>)")
+    if (start or len(text) < LONGEST_TEXT) and not _are_filled(header):
+        raise ValueError(f"{path} is damaged: its pieces do not fill its WholeExtent")
     return re.findall(rb'\s(?:file|Source)\s*=\s*"([^"]+)"', header)
+
+
+def _has_end(path):
+    with open(path, "rb") as stream:
+        stream.seek(max(0, os.path.getsize(path) - LONGEST))
+        return b"</VTKFile>" in stream.read()
+
+
+def _are_filled(header):
+    """Whether pieces have as many cells as the whole of an image or a grid."""
+    whole, pieces = (sum(map(_count_cells, re.findall(rb'\s%s\s*=\s*"([^"]*)"' % name, header)))
+                     for name in (b"WholeExtent", b"Extent"))  # fmt: skip
+    return pieces >= whole
+
+
+def _count_cells(extent):
+    """At least one along an axis with a point."""
+    ends = _numbers(extent, 6)
+    return math.prod(max(high - low, 1) if low <= high else 0 for low, high in zip(ends[::2], ends[1::2]))
 
 
 def _is_whole(stream, header, place):
@@ -206,13 +252,43 @@ def check_nrrd(path):
     if any(fields.get(name, b"0") != b"0" for name in (b"byte skip", b"byteskip", b"line skip", b"lineskip")):
         raise ValueError(f"{path} has samples after something else that is to be skipped (byte skip or line skip), which VTK "
                          "does not do; write them into a file of their own")
-    _check_file_of_samples(path, fields.get(b"data file", fields.get(b"datafile", b"")))
+    name = _data_file_of_nrrd(fields)
+    if name and b"%" not in name and not name.startswith(b"LIST"):  # Of several files, VTK's reader tells.
+        _find_file_of_samples(path, os.fsdecode(name))
     if not _are_parts_first(fields):
         raise ValueError(f"{path} has components, or several volumes, along an axis that is not the first, which VTK's "
                          "reader takes for them, or does not tell the axis (kinds); write one volume")
+    if encoding != b"raw":
+        _check_compressed_nrrd(path, fields, sizes)
     if len(sizes) == 3 and int(sizes[0]) < 10:
         raise ValueError(f"{path} has three axes, of which VTK's reader takes the first, with fewer than ten samples, for "
                          "components; write a volume with a longer axis first, or with more samples")
+
+
+def _check_compressed_nrrd(path, fields, sizes):
+    """Refuse those that VTK's reader takes for others than they are."""
+    remedy = "write them with the encoding raw"
+    name = _data_file_of_nrrd(fields)
+    length = _bytes_of_sample(fields.get(b"type", b""))
+    if len(sizes) > 3 and sizes[0] != b"1":
+        raise ValueError(f"{path} has compressed samples of several components, of which VTK's reader takes a part; {remedy}")
+    if length > 1 and fields.get(b"endian", b"").lower() == b"big":
+        raise ValueError(f"{path} has compressed big-endian samples, whose bytes VTK's reader does not swap; {remedy}")
+    if name.startswith(b"LIST") or len(name.split()) > 3:
+        raise ValueError(f"{path} has compressed samples in several files, of which VTK's reader takes the first; {remedy}")
+    samples = os.path.join(os.path.dirname(path), os.fsdecode(name))
+    if name and os.path.getsize(samples) > length * math.prod(map(int, sizes)):
+        raise ValueError(f"{path} has compressed samples in a file that is longer than they are without compression, of which "
+                         f"VTK's reader takes the beginning for a header; {remedy}")
+
+
+def _data_file_of_nrrd(fields):
+    return fields.get(b"data file", fields.get(b"datafile", b""))
+
+
+def _bytes_of_sample(kind):
+    words = {rb"char|int8": 1, rb"short|int16": 2, rb"double|int64|long ?long": 8}
+    return next((size for word, size in words.items() if re.search(word, kind.lower())), 4)
 
 
 def _are_parts_first(fields):
@@ -237,7 +313,8 @@ def place_of_nrrd(path):
     vectors = re.findall(rb"\(([^)]*)\)", fields[b"space directions"])
     steps = [_numbers(vector, 3) for vector in vectors] if len(vectors) == 3 else np.zeros((3, 3))
     origin = _numbers(fields.get(b"space origin", b"0 0 0").strip(b"()"), 3)
-    are_rows_reversed = space in ("left-anterior-superior", "LAS", "3D-left-handed")
+    is_raw = fields.get(b"encoding", b"").lower() == b"raw"
+    are_rows_reversed = is_raw and space in ("left-anterior-superior", "LAS", "3D-left-handed")
     return Place(to_patient[:, None] * np.transpose(steps), to_patient * origin, are_rows_reversed)
 
 

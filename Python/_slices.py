@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_SHORT, vtkVersion
+from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_SHORT, VTK_UNSIGNED_CHAR, vtkVersion
 from vtkmodules.vtkIOImage import vtkDICOMImageReader
 
 SYNTAXES = ("1.2.840.10008.1.2", "1.2.840.10008.1.2.1")  # uncompressed, the least significant byte first
@@ -64,15 +64,27 @@ def only_files(folder):
         yield links
 
 
-def check_values(folder, data, slices):
-    """VTK's reader scales samples to 16 bits: others are left of values that do not fit."""
-    if data.GetScalarType() != VTK_SHORT:
-        return
+def correct_values(folder, data, slices):
+    """VTK's reader scales samples to their own type: others are left of values that do not fit. Where it makes floating-point
+    numbers of them, it takes signed samples for unsigned ones."""
     values = vtk_to_numpy(data.GetPointData().GetScalars()).reshape(len(slices), -1)
     for each, scaled in zip(slices, values):
-        if not _fit_16_bits(each, scaled.astype(np.int64)):
+        if data.GetScalarType() == VTK_FLOAT:
+            _restore_negative(each, scaled)
+        elif data.GetScalarType() == VTK_SHORT and not _fit_16_bits(each, scaled.astype(np.int64)):
             raise ValueError(f"{os.path.join(folder, each.name)} may have values that do not fit the 16 bits that VTK "
                              f"scales them to; {REMEDY}")
+        elif data.GetScalarType() == VTK_UNSIGNED_CHAR and (each.slope, each.intercept, each.stored[0]) != (1.0, 0.0, 0):
+            raise ValueError(f"{os.path.join(folder, each.name)} may have values that do not fit the 8 bits that VTK "
+                             f"scales them to; {REMEDY}")
+
+
+def _restore_negative(each, scaled):
+    """Changes values in place."""
+    if each.stored[0] < 0 and each.slope != 0.0:
+        stored = np.rint((scaled.astype(float) - each.intercept) / each.slope)
+        is_negative = stored > each.stored[-1]
+        scaled[is_negative] = (stored[is_negative] - len(each.stored)) * each.slope + each.intercept
 
 
 def _fit_16_bits(each, scaled):

@@ -173,6 +173,29 @@ bool FitShorts(const DicomSlice& slice, const short* first, const short* last)
       });
 }
 
+bool FitBytes(const DicomSlice& slice)
+{
+  return slice.Slope == 1.0 && slice.Intercept == 0.0 && slice.Stored[0] == 0.0;
+}
+
+/// Corrects scaled samples that were taken for unsigned ones.
+void RestoreNegative(const DicomSlice& slice, float* first, float* last)
+{
+  if (slice.Stored[0] >= 0.0 || slice.Slope == 0.0)
+  {
+    return;
+  }
+  const double values = slice.Stored[1] - slice.Stored[0] + 1.0;
+  for (float* value = first; value != last; ++value)
+  {
+    const double stored = std::rint((*value - slice.Intercept) / slice.Slope);
+    if (stored > slice.Stored[1])
+    {
+      *value = static_cast<float>((stored - values) * slice.Slope + slice.Intercept);
+    }
+  }
+}
+
 /// How far the last slice is from the first across the normal.
 double GetShift(const std::vector<DicomSlice>& slices)
 {
@@ -225,24 +248,30 @@ std::vector<DicomSlice> FindSlices(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void CheckValues(
+void CorrectValues(
   const std::string& folder, const std::vector<DicomSlice>& slices, vtkImageData* image)
 {
-  if (image->GetScalarType() != VTK_SHORT)
-  {
-    return;
-  }
-  const auto* first = static_cast<const short*>(image->GetScalarPointer());
+  const int type = image->GetScalarType();
   const std::ptrdiff_t count = image->GetPointData()->GetScalars()->GetNumberOfValues() /
     static_cast<std::ptrdiff_t>(slices.size());
-  for (const DicomSlice& slice : slices)
+  for (std::size_t i = 0; i < slices.size(); ++i)
   {
-    if (!FitShorts(slice, first, first + count))
+    const DicomSlice& slice = slices[i];
+    void* first = image->GetPointData()->GetScalars()->GetVoidPointer(
+      static_cast<vtkIdType>(i) * static_cast<vtkIdType>(count));
+    auto* shorts = static_cast<short*>(first);
+    if (type == VTK_FLOAT)
     {
-      throw std::runtime_error(folder + "/" + slice.Name +
-        " may have values that do not fit the 16 bits that VTK scales them to; " + Convert);
+      RestoreNegative(slice, static_cast<float*>(first), static_cast<float*>(first) + count);
     }
-    first += count;
+    else if ((type == VTK_SHORT && !FitShorts(slice, shorts, shorts + count)) ||
+      (type == VTK_UNSIGNED_CHAR && !FitBytes(slice)))
+    {
+      constexpr int bitsPerByte = 8;
+      throw std::runtime_error(folder + "/" + slice.Name + " may have values that do not fit the " +
+        std::to_string(bitsPerByte * image->GetScalarSize()) + " bits that VTK scales them to; " +
+        Convert);
+    }
   }
 }
 

@@ -42,9 +42,10 @@ struct DicomSlice
 /// std::runtime_error if they are not those of one series, or if VTK's reader does not read them.
 std::vector<DicomSlice> FindSlices(const std::string& folder);
 
-/// Throws std::runtime_error if VTK's reader, which scales samples to 16 bits, made others of
-/// values that do not fit.
-void CheckValues(
+/// Throws std::runtime_error if VTK's reader, which scales samples to their own type, made others
+/// of values that do not fit. Where it makes floating-point numbers of signed samples, it takes
+/// them for unsigned ones: their values are corrected.
+void CorrectValues(
   const std::string& folder, const std::vector<DicomSlice>& slices, vtkImageData* image);
 
 /// The median distance of slices.

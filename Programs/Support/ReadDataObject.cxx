@@ -3,11 +3,11 @@
 
 #include "ReadDataObject.h"
 
-#include "AppendedData.h"
 #include "HeaderText.h"
 #include "InputFiles.h"
 #include "ReadVolume.h"
 #include "ReaderErrors.h"
+#include "XmlFiles.h"
 
 #include <vtkDataReader.h>
 #include <vtkExodusIIReader.h>
@@ -123,7 +123,7 @@ vtkSmartPointer<vtkDataObject> ReadLegacyOfAnyKind(const std::string& fileName)
 template <typename ReaderT>
 vtkSmartPointer<vtkDataObject> ReadXml(const std::string& fileName)
 {
-  CheckAppendedData(fileName);
+  CheckXmlFile(fileName);
   return Read(vtkNew<ReaderT>().Get(), fileName);
 }
 
@@ -154,7 +154,7 @@ void CheckLevels(const std::string& fileName)
 vtkSmartPointer<vtkDataObject> ReadAmr(const std::string& fileName)
 {
   CheckLevels(fileName);
-  CheckAppendedData(fileName);
+  CheckXmlFile(fileName);
   vtkNew<vtkXMLUniformGridAMRReader> reader;
   reader->SetMaximumLevelsToReadByDefault(0); // all
   return Read(reader.Get(), fileName);

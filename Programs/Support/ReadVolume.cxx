@@ -3,7 +3,6 @@
 
 #include "ReadVolume.h"
 
-#include "AppendedData.h"
 #include "DicomSlices.h"
 #include "InputFiles.h"
 #include "MetaImageHeader.h"
@@ -12,6 +11,7 @@
 #include "PatientAxes.h"
 #include "ReaderErrors.h"
 #include "ScaledValues.h"
+#include "XmlFiles.h"
 #include "vtkMappedImageReader.h"
 
 #include <vtkAlgorithm.h>
@@ -337,7 +337,7 @@ vtkSmartPointer<vtkImageData> ReadSlices(const std::string& folder, double maxMe
         std::to_string(image->GetDimensions()[2]) +
         " for one series; put each series into a folder of its own");
   }
-  CheckValues(folder, slices, image);
+  CorrectValues(folder, slices, image);
   image->SetSpacing(
     slices.front().Spacing[0], slices.front().Spacing[1], GetDistanceOfSlices(slices));
   if (axes == Axes::OfPatient)
@@ -380,7 +380,7 @@ vtkSmartPointer<vtkImageData> ReadIntoMemory(
   const double unknown = std::numeric_limits<double>::infinity();
   if (SystemTools::StringEndsWith(SystemTools::LowerCase(fileName), ".vti"))
   {
-    CheckAppendedData(fileName);
+    CheckXmlFile(fileName);
     return ReadFile(
       vtkNew<vtkXMLImageDataReader>().Get(), fileName, { unknown, maxMemory, choose, axes });
   }

@@ -185,6 +185,7 @@ class TestDamagedVolumes(unittest.TestCase):
             ("ElementDataFile = .", "no samples in the file"),
             ("ElementDataFile = /dev/zero", "no samples in the file"),
             ("ElementDataFile = LIST", "no file of samples"),
+            ("ElementDataFile = LIST 3D", "which VTK's reader takes for files of slices"),
             ("ElementDataFile = ball%s%n.raw 1 3 1", "ElementDataFile"),
             ("ElementDataFile = ball%d.raw 1 999999999 1", "more than 65536 files"),
         ):
@@ -196,6 +197,22 @@ class TestDamagedVolumes(unittest.TestCase):
         sized = self.files["packed.mha"]
         self.assert_refused("cut.mha", sized[:-1], "is cut off")
         self.assert_refused("unsized.mha", re.sub(b"CompressedDataSize.*\n", b"", sized), "no CompressedDataSize")
+
+    def test_samples_that_vtk_takes_for_others(self):
+        """Compressed ones of NRRD, several components as text of MetaImage, and pieces that leave samples out."""
+        nrrd = "NRRD0004\ntype: {}\ndimension: {}\nsizes: {}\nendian: {}\n{}encoding: gzip\n{}\n"
+        vector = ("short", 4, "3 12 12 12", "little", "kinds: vector domain domain domain\n", "")
+        self.assert_refused("vector.nrrd", nrrd.format(*vector).encode() + gzip.compress(bytes(6 * EDGE**3)), "several components")
+        big = ("short", 3, "12 12 12", "big", "", "")
+        self.assert_refused("big.nrrd", nrrd.format(*big).encode() + gzip.compress(bytes(2 * EDGE**3)), "does not swap")
+        (self.folder / "long.gz").write_bytes(bytes(2 * EDGE**3 + 1))
+        detached = ("short", 3, "12 12 12", "little", "", "data file: long.gz\n")
+        self.assert_refused("long.nhdr", nrrd.format(*detached).encode(), "longer than they are without compression")
+        text = METAIMAGE.format(compressed=False, edge=EDGE, data_file="ball.raw").replace("BinaryData = True", "BinaryData = False")
+        text = text.replace("Channels = 1", "Channels = 2")
+        self.assert_refused("text.mhd", text.encode(), "several components as text")
+        pieces = self.files["text.vti"].replace(b'WholeExtent="0 11 0 11 0 11"', b'WholeExtent="0 11 0 11 0 12"')
+        self.assert_refused("pieces.vti", pieces, "its pieces do not fill its WholeExtent")
 
     def test_samples_that_are_cut(self):
         """VTK's readers report that by no object, and leave the rest as it was in memory."""

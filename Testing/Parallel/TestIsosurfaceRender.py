@@ -170,6 +170,9 @@ class TestIsosurfaceRender(unittest.TestCase):
         write_dicom_slices(make_image(), folder, slope=300)
         result = run("--input", str(folder), "--output", str(self.picture), "--isovalue", "157")
         self.check_failure(result, "dcm may have values that do not fit the 16 bits")
+        write_dicom_slices(make_image(), folder, slope=0.5, intercept=-200)
+        negative = self.render(folder, "--isovalue", "-121.5")
+        self.assertEqual(negative, alone)
 
     def test_other_formats(self):
         """Big-endian samples after a header that has a HeaderSize of 0; compressed ones, of which each process reads

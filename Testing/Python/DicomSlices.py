@@ -17,7 +17,8 @@ def write_dicom_slices(image, folder, orientation=USUAL, slope=1, intercept=0):
     """As few fields as vtkDICOMImageReader needs. In DICOM x is to the left and y to the back of a patient: with this
     orientation of rows and columns, x of the image is to the right, y to the front and z to the head."""
     (columns, rows, slices), spacing, origin = image.GetDimensions(), image.GetSpacing(), image.GetOrigin()
-    samples = vtk_to_numpy(image.GetPointData().GetScalars()).astype("<i2").reshape(slices, rows, columns)
+    samples = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(slices, rows, columns)
+    samples = samples if samples.itemsize == 1 else samples.astype("<i2")
     (a, b, c), (d, e, f) = orientation[:3], orientation[3:]
     normal = (b * f - c * e, c * d - a * f, a * e - b * d)  # the slices are one behind the other
     for k in range(slices):
@@ -33,8 +34,8 @@ def write_dicom_slices(image, folder, orientation=USUAL, slope=1, intercept=0):
         content += _field(0x28, 0x10, b"US", struct.pack("<H", rows))
         content += _field(0x28, 0x11, b"US", struct.pack("<H", columns))
         content += _field(0x28, 0x30, b"DS", b"%g\\%g" % (spacing[1], spacing[0]))
-        content += _field(0x28, 0x100, b"US", struct.pack("<H", 16))
-        content += _field(0x28, 0x103, b"US", struct.pack("<H", 1))
+        content += _field(0x28, 0x100, b"US", struct.pack("<H", 8 * samples.itemsize))
+        content += _field(0x28, 0x103, b"US", struct.pack("<H", samples.dtype.kind == "i"))
         content += _field(0x28, 0x1052, b"DS", b"%g" % intercept) + _field(0x28, 0x1053, b"DS", b"%g" % slope)
         # DICOM has its rows from the top, which VTK turns over.
         content += _field(0x7FE0, 0x10, b"OW", samples[k, ::-1].tobytes())

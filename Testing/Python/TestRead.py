@@ -19,7 +19,7 @@ from unittest import mock
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkCommonCore import VTK_SHORT
+from vtkmodules.vtkCommonCore import VTK_SHORT, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkImageData, vtkMultiBlockDataSet, vtkOverlappingAMR
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
@@ -200,6 +200,34 @@ class TestRead(unittest.TestCase):
                     with self.assertRaisesRegex(ValueError, "0.*.dcm may have values that do not fit the 16 bits"):
                         read(slices)
 
+    def test_slices_of_negative_values_with_a_fractional_slope(self):
+        """VTK's reader takes their samples for unsigned ones."""
+        image = vtkImageData()
+        image.SetDimensions(4, 3, 5)
+        image.AllocateScalars(VTK_SHORT, 1)
+        values = vtk_to_numpy(image.GetPointData().GetScalars())
+        values[:] = np.linspace(-32768, 32767, values.size)
+        read_values = vtk_to_numpy(read(self.write_slices("signed", image, slope=0.25, intercept=3)).GetPointData().GetScalars())
+        np.testing.assert_array_equal(np.sort(read_values), np.sort(0.25 * values + 3.0))
+
+    def test_scaled_slices_of_bytes(self):
+        """VTK's reader scales them to 8 bits, and takes signed ones for unsigned ones."""
+        image = vtkImageData()
+        image.SetDimensions(4, 3, 5)
+        for kind, slope, intercept in ((VTK_UNSIGNED_CHAR, 1, 0), (VTK_UNSIGNED_CHAR, 0.5, 3), (VTK_UNSIGNED_CHAR, 1, -1),
+                                       (VTK_UNSIGNED_CHAR, 2, 0), (VTK_SIGNED_CHAR, 1, 0)):
+            with self.subTest(kind=kind, slope=slope, intercept=intercept):
+                image.AllocateScalars(kind, 1)
+                values = vtk_to_numpy(image.GetPointData().GetScalars())
+                values[:] = np.linspace(-100 if kind == VTK_SIGNED_CHAR else 0, 120, values.size)
+                slices = self.write_slices(f"bytes {kind} {slope} {intercept}", image, slope=slope, intercept=intercept)
+                if kind == VTK_UNSIGNED_CHAR and (slope, intercept) in ((1, 0), (0.5, 3)):
+                    found = vtk_to_numpy(read(slices).GetPointData().GetScalars())
+                    np.testing.assert_array_equal(np.sort(found), np.sort(slope * values.astype(float) + intercept))
+                else:
+                    with self.assertRaisesRegex(ValueError, "may have values that do not fit the 8 bits"):
+                        read(slices)
+
     def write_slices(self, name, image, orientation=(1, 0, 0, 0, 1, 0), **scale):
         slices = self.folder / name
         slices.mkdir()
@@ -361,6 +389,22 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
             path = self.write(writer, name, mesh)
             np.testing.assert_array_equal(render(path, 0.5, size=SIZE).rgba, render(mesh, 0.5, size=SIZE).rgba, name)
 
+    def test_pieces_that_are_cut(self):
+        """VTK's readers of grids in pieces crash."""
+        for mode, (writer, name, data) in itertools.product(("Ascii", "Binary", "Appended"), (
+                (vtkXMLPStructuredGridWriter, "cut.pvts", make_structured_grid(ball)),
+                (vtkXMLPImageDataWriter, "cut.pvti", make_waves(3)))):
+            writer = writer()
+            getattr(writer, f"SetDataModeTo{mode}")()
+            path = self.write(writer, name, data)
+            (piece,) = [each for each in path.parent.rglob("cut*") if each.suffix == "." + path.suffix[2:]]
+            whole = piece.read_bytes()
+            for length in (len(whole) // 3, len(whole) * 9 // 10, len(whole) - 12):
+                piece.write_bytes(whole[:length])
+                with self.subTest(mode=mode, name=name, length=length), self.assertRaisesRegex(ValueError, "is damaged"):
+                    read(path)
+            piece.unlink()
+
     def test_all_arrays_of_legacy_files(self):
         mesh = make_grid(VTK_TETRA, ball)
         text = self.write(vtkDataSetWriter(), "mesh.vtk", mesh).read_text(encoding="ascii")
@@ -510,6 +554,86 @@ for image in (read({str(path)!r}), mapped.GetOutput()):
                 read(path)
         path.write_bytes(header.format("raw", "byte skip: 0\n").encode() + bytes(2 * 12**3))
         self.assertEqual(read(path).GetDimensions(), (12, 12, 12))
+
+    def test_compressed_nrrd_that_vtk_reads_wrongly(self):
+        """Of what VTK's reader gives other samples than there are."""
+        path, samples = self.folder / "packed.nhdr", self.folder / "packed.raw.gz"
+        header = "NRRD0004\ntype: {}\ndimension: {}\nsizes: {}\n{}endian: {}\nencoding: gzip\ndata file: {}\n"
+        random = np.random.default_rng(1).integers(0, 256, 2 * 12**3, np.uint8).tobytes()  # which does not become shorter
+        for content, values, words in (
+                (bytes(2 * 12**3), ("short", 3, "12 12 12", "", "big", samples.name), "compressed big-endian samples"),
+                (bytes(12**3), ("uchar", 3, "12 12 12", "", "big", samples.name), None),
+                (bytes(2 * 12**3), ("short", 3, "12 12 12", "", "little", samples.name), None),
+                (random, ("short", 3, "12 12 12", "", "little", samples.name), "a file that is longer"),
+                (bytes(2 * 12**3), ("short", 3, "12 12 12", "", "little", f"LIST\n{samples.name}"), "in several files"),
+                (bytes(6 * 12**3), ("short", 4, "3 12 12 12", "kinds: vector domain domain domain\n", "little", samples.name),
+                 "several components")):  # fmt: skip
+            path.write_text(header.format(*values))
+            samples.write_bytes(gzip.compress(content))
+            with self.subTest(words):
+                if words:
+                    with self.assertRaisesRegex(ValueError, f"{words}.* with the encoding raw"):
+                        read(path)
+                else:
+                    self.assertEqual(read(path).GetDimensions(), (12, 12, 12))
+
+    def test_rows_of_compressed_nrrd_are_not_reversed(self):
+        """By VTK's reader, which reverses those that are not compressed."""
+        samples = np.arange(12 * 4 * 3, dtype="<i2")
+        header = "NRRD0004\ntype: short\ndimension: 3\nspace: {}\nsizes: 12 4 3\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"
+        for space, encoding in itertools.product(("LAS", "left-anterior-superior", "3D-left-handed"), ("raw", "gzip")):
+            path = self.folder / f"{space}-{encoding}.nrrd"
+            content = gzip.compress(samples.tobytes()) if encoding == "gzip" else samples.tobytes()
+            path.write_bytes(f"{header.format(space)}endian: little\nencoding: {encoding}\n\n".encode() + content)
+            image = read(path)
+            values = vtk_to_numpy(image.GetPointData().GetScalars())
+            side = 1 if space == "3D-left-handed" else -1
+            for point in (0, 17, 100, 143):
+                x, y, z = np.rint(image.GetPoint(point)).astype(int)
+                self.assertEqual(values[point], side * x + 12 * (y + 4 * z), (space, encoding))
+
+    def test_metaimage_in_several_files(self):
+        path, samples = self.folder / "several.mhd", np.arange(5 * 4 * 3, dtype="<i2").reshape(3, 20)
+        header = "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 5 4 3\nElementType = MET_SHORT\nElementDataFile = "
+        for i, each in enumerate(samples):
+            (self.folder / f"part{i}.raw").write_bytes(each.tobytes())
+        (self.folder / "cut.raw").write_bytes(bytes(39))
+        (self.folder / "all.raw").write_bytes(samples.tobytes())
+        for files, words in (
+                ("LIST\npart0.raw\npart1.raw\npart2.raw\n", None), ("part%d.raw 0 2 1\n", None),
+                ("LIST\npart0.raw\npart1.raw\n", "is damaged"), ("part%d.raw 0 1 1\n", "is damaged"),
+                ("LIST\npart0.raw\ncut.raw\npart2.raw\n", "is damaged"),
+                ("LIST\npart0.raw\nmissing.raw\npart2.raw\n", "in the file missing.raw, which is not there"),
+                ("part%d.raw 1 3 1\n", "in the file part3.raw, which is not there"), ("LIST\n", "names no file of samples"),
+                ("LIST 3D\nall.raw\n", "has the ElementDataFile 'LIST 3D'"), ("part%d.raw\n", "has the ElementDataFile 'part%d.raw'")):
+            path.write_text(header + files)
+            with self.subTest(files):
+                if words:
+                    with self.assertRaisesRegex(ValueError, words):
+                        read(path)
+                else:
+                    np.testing.assert_array_equal(vtk_to_numpy(read(path).GetPointData().GetScalars()), samples.ravel())
+
+    def test_metaimage_of_several_components_as_text(self):
+        """VTK's reader takes the first of all numbers."""
+        path = self.folder / "text.mhd"
+        (self.folder / "text.txt").write_text(" ".join(map(str, range(5 * 4 * 3 * 2))) + "\n")
+        path.write_text("ObjectType = Image\nNDims = 3\nBinaryData = False\nDimSize = 5 4 3\nElementType = MET_SHORT\n"
+                        "ElementNumberOfChannels = 2\nElementDataFile = text.txt\n")
+        with self.assertRaisesRegex(ValueError, "several components as text"):
+            read(path)
+
+    def test_pieces_that_do_not_fill_the_whole(self):
+        """VTK's readers leave the rest as it was in memory."""
+        for mode in ("Ascii", "Appended"):
+            writer = vtkXMLImageDataWriter()
+            getattr(writer, f"SetDataModeTo{mode}")()
+            path = self.write(writer, f"{mode}.vti", make_waves(4))
+            text = path.read_bytes()
+            self.assertEqual(text.count(b'WholeExtent="-4 4 -4 4 -4 4"'), 1)
+            path.write_bytes(text.replace(b'WholeExtent="-4 4 -4 4 -4 4"', b'WholeExtent="-4 4 -4 4 -4 5"'))
+            with self.subTest(mode), self.assertRaisesRegex(ValueError, "its pieces do not fill its WholeExtent"):
+                read(path)
 
     def test_nrrd_with_a_short_first_axis(self):
         """VTK's reader takes it for components."""

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkIsosurfaceRayTracing developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "AppendedData.h"
+#include "XmlFiles.h"
 
 #include "HeaderText.h"
 #include "InputFiles.h"
@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -93,8 +94,51 @@ bool IsWhole(Numbers numbers, bool isCompressed)
 }
 
 //------------------------------------------------------------------------------
-/// Throws if the file ends too early. Returns the files that it names.
-std::vector<std::string> CheckFile(const std::string& fileName)
+/// Those of an image or a grid of an extent, such as "0 9 0 9 0 9": at least one along an axis with
+/// a point.
+double CountCells(const std::string& extent)
+{
+  constexpr std::size_t ends = 6;
+  const auto numbers = ImageFiles::ParseArray<ends>(extent);
+  double count = 1.0;
+  for (std::size_t i = 0; i < ends; i += 2)
+  {
+    const double cells = numbers[i + 1] - numbers[i];
+    count *= cells < 0.0 ? 0.0 : std::max(cells, 1.0);
+  }
+  return count;
+}
+
+/// Whether pieces have as many cells as the whole.
+bool AreFilled(const std::string& header)
+{
+  double left = 0.0;
+  for (const std::string& extent : FindAll(header, "[ \t\r\n]WholeExtent *= *\"([^\"]*)\""))
+  {
+    left += CountCells(extent);
+  }
+  for (const std::string& extent : FindAll(header, "[ \t\r\n]Extent *= *\"([^\"]*)\""))
+  {
+    left -= CountCells(extent);
+  }
+  return left <= 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool HasEnd(const std::string& fileName)
+{
+  constexpr std::streamoff most = 1 << 16;
+  std::ifstream file(fileName, std::ios::binary | std::ios::ate);
+  file.seekg(std::max<std::streamoff>(0, std::streamoff{ file.tellg() } - most));
+  const std::string text{ std::istreambuf_iterator<char>(file), {} };
+  return text.empty() || text.find("</VTKFile>") != std::string::npos;
+}
+
+//------------------------------------------------------------------------------
+/// Throws if the file ends too early, or if its pieces do not fill it. (A file that is no piece of
+/// others may lack its end: VTK's readers report what that leaves out.) Returns the files that it
+/// names.
+std::vector<std::string> CheckFile(const std::string& fileName, bool isPiece)
 {
   constexpr std::size_t most = 1 << 22;
   const std::string text = ImageFiles::ReadBeginning(fileName, most);
@@ -112,6 +156,14 @@ std::vector<std::string> CheckFile(const std::string& fileName)
   {
     throw std::runtime_error(fileName + " cannot be read: it ends before its last samples");
   }
+  if (isPiece && !hasData && !HasEnd(fileName))
+  {
+    throw std::runtime_error(fileName + " cannot be read: it has no end (</VTKFile>)");
+  }
+  if ((hasData || text.size() < most) && !AreFilled(header))
+  {
+    throw std::runtime_error(fileName + " cannot be read: its pieces do not fill its WholeExtent");
+  }
   std::vector<std::string> files = FindAll(header, "[ \t\r\n]file *= *\"([^\"]+)\"");
   const std::vector<std::string> pieces = FindAll(header, "[ \t\r\n]Source *= *\"([^\"]+)\"");
   files.insert(files.end(), pieces.begin(), pieces.end());
@@ -121,14 +173,14 @@ std::vector<std::string> CheckFile(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-void CheckAppendedData(const std::string& fileName)
+void CheckXmlFile(const std::string& fileName)
 {
-  for (const std::string& name : CheckFile(fileName))
+  for (const std::string& name : CheckFile(fileName, false))
   {
     const std::string file = ImageFiles::FindNamedFile(fileName, name);
     if (IsFile(file))
     {
-      CheckFile(file);
+      CheckFile(file, true);
     }
   }
 }
