@@ -442,24 +442,47 @@ private:
 };
 
 //------------------------------------------------------------------------------
-std::unordered_map<vtkIdType, AmbiguousCell> FindAmbiguousCells(
-  vtkImageData* image, double isovalue)
+enum Sign : unsigned char
 {
-  enum Sign : unsigned char
-  {
-    Outside,
-    Inside,
-    Untold
-  };
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const auto count = static_cast<std::size_t>(scalars->GetNumberOfTuples());
-  std::vector<unsigned char> signs(count);
-  for (std::size_t i = 0; i < count; ++i)
+  Outside,
+  Inside,
+  Untold
+};
+
+std::vector<Sign> FindSigns(vtkDataArray* scalars, double isovalue)
+{
+  std::vector<Sign> signs(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < signs.size(); ++i)
   {
     const double value = scalars->GetComponent(static_cast<vtkIdType>(i), 0) - isovalue;
     signs[i] = value > 0.0 ? Inside : value < 0.0 ? Outside : Untold;
   }
+  return signs;
+}
 
+/// Which of the patterns of the signs of eight corners are ambiguous.
+std::array<bool, 256> FindAmbiguousPatterns()
+{
+  std::array<bool, 256> areAmbiguous;
+  for (int pattern = 0; pattern < 256; ++pattern)
+  {
+    Corners corners;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      corners[corner] = (pattern >> corner & 1) != 0 ? 1.0 : -1.0;
+    }
+    areAmbiguous[pattern] = IsAmbiguous(corners);
+  }
+  return areAmbiguous;
+}
+
+//------------------------------------------------------------------------------
+std::unordered_map<vtkIdType, AmbiguousCell> FindAmbiguousCells(
+  vtkImageData* image, double isovalue)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const std::vector<Sign> signs = FindSigns(scalars, isovalue);
+  const std::array<bool, 256> areAmbiguous = FindAmbiguousPatterns();
   const int* dimensions = image->GetDimensions();
   const Cells cells(image);
   std::unordered_map<vtkIdType, AmbiguousCell> result;
@@ -470,18 +493,6 @@ std::unordered_map<vtkIdType, AmbiguousCell> FindAmbiguousCells(
       static_cast<vtkIdType>(dimensions[0]) *
         ((corner >> 1 & 1) + static_cast<vtkIdType>(dimensions[1]) * (corner >> 2));
   }
-  // Of the 256 patterns of signs.
-  std::array<bool, 256> isAmbiguous;
-  for (int pattern = 0; pattern < 256; ++pattern)
-  {
-    Corners corners;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      corners[corner] = (pattern >> corner & 1) != 0 ? 1.0 : -1.0;
-    }
-    isAmbiguous[pattern] = IsAmbiguous(corners);
-  }
-
   int ijk[3];
   for (ijk[2] = 0; ijk[2] < dimensions[2] - 1; ++ijk[2])
   {
@@ -496,11 +507,11 @@ std::unordered_map<vtkIdType, AmbiguousCell> FindAmbiguousCells(
         bool isTold = true;
         for (int corner = 0; corner < 8; ++corner)
         {
-          const unsigned char sign = signs[static_cast<std::size_t>(first + offsets[corner])];
+          const Sign sign = signs[static_cast<std::size_t>(first + offsets[corner])];
           pattern += sign == Inside ? 1 << corner : 0;
           isTold = isTold && sign != Untold;
         }
-        if (isTold && isAmbiguous[pattern])
+        if (isTold && areAmbiguous[pattern])
         {
           AmbiguousCell& cell = result[cells.GetId(ijk)];
           for (int corner = 0; corner < 8; ++corner)

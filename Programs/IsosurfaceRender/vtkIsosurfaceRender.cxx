@@ -68,6 +68,40 @@ struct Arguments
 
 //------------------------------------------------------------------------------
 /// Throws std::runtime_error if they are invalid.
+void Check(const Arguments& arguments)
+{
+  if (arguments.Input.empty() || arguments.Isovalues.empty() || arguments.Output.empty())
+  {
+    throw std::runtime_error("--input, --isovalue and --output are needed; see --help");
+  }
+  const std::string suffix = vtksys::SystemTools::GetFilenameLastExtension(arguments.Output);
+  if (vtksys::SystemTools::LowerCase(suffix) != ".png" && !Programs::IsDevice(arguments.Output))
+  {
+    throw std::runtime_error("--output " + arguments.Output + ": the name must end in .png");
+  }
+  if (arguments.Width < 1 || arguments.Height < 1 || arguments.Width > 65536 ||
+    arguments.Height > 65536)
+  {
+    throw std::runtime_error("--width and --height take numbers from 1 to 65536");
+  }
+  if (!std::isfinite(arguments.Azimuth))
+  {
+    throw std::runtime_error("--azimuth takes a finite number of degrees");
+  }
+  if (!(std::abs(arguments.Elevation) < 90.0))
+  {
+    throw std::runtime_error("--elevation takes a number between -90 and 90");
+  }
+  const auto isOpacity = [](double value) { return value >= 0.0 && value <= 1.0; };
+  if ((!arguments.Opacities.empty() && arguments.Opacities.size() != arguments.Isovalues.size()) ||
+    !std::all_of(arguments.Opacities.begin(), arguments.Opacities.end(), isOpacity))
+  {
+    throw std::runtime_error("--opacity takes a number from 0 to 1 for each isovalue");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Throws std::runtime_error if they are invalid.
 Arguments ParseArguments(int argc, char* argv[], std::string& help)
 {
   Arguments arguments;
@@ -103,34 +137,7 @@ Arguments ParseArguments(int argc, char* argv[], std::string& help)
   {
     return arguments;
   }
-  if (arguments.Input.empty() || arguments.Isovalues.empty() || arguments.Output.empty())
-  {
-    throw std::runtime_error("--input, --isovalue and --output are needed; see --help");
-  }
-  const std::string suffix = vtksys::SystemTools::GetFilenameLastExtension(arguments.Output);
-  if (vtksys::SystemTools::LowerCase(suffix) != ".png" && !Programs::IsDevice(arguments.Output))
-  {
-    throw std::runtime_error("--output " + arguments.Output + ": the name must end in .png");
-  }
-  if (arguments.Width < 1 || arguments.Height < 1 || arguments.Width > 65536 ||
-    arguments.Height > 65536)
-  {
-    throw std::runtime_error("--width and --height take numbers from 1 to 65536");
-  }
-  if (!std::isfinite(arguments.Azimuth))
-  {
-    throw std::runtime_error("--azimuth takes a finite number of degrees");
-  }
-  if (!(std::abs(arguments.Elevation) < 90.0))
-  {
-    throw std::runtime_error("--elevation takes a number between -90 and 90");
-  }
-  const auto isOpacity = [](double value) { return value >= 0.0 && value <= 1.0; };
-  if ((!arguments.Opacities.empty() && arguments.Opacities.size() != arguments.Isovalues.size()) ||
-    !std::all_of(arguments.Opacities.begin(), arguments.Opacities.end(), isOpacity))
-  {
-    throw std::runtime_error("--opacity takes a number from 0 to 1 for each isovalue");
-  }
+  Check(arguments);
   arguments.Opacities.resize(arguments.Isovalues.size(), 1.0);
   return arguments;
 }

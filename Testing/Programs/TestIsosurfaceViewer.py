@@ -139,7 +139,7 @@ class TestIsosurfaceViewer(unittest.TestCase):
     def test_resizing(self):
         """The sliders fill the new window, also where its size changes while a frame is drawn."""
         viewer = self.start(write_waves(self.folder))
-        for i in range(8):
+        for i in range(4):
             viewer.wait_for_rest()
             viewer.press("s")
             for size in ((700 + 10 * i, 600), SIZE):
@@ -379,7 +379,7 @@ class TestIsosurfaceViewer(unittest.TestCase):
         """The benchmark of Documentation/measurements.md measures frames of both."""
         script = SOURCE / "Testing" / "Benchmarks" / "time_dragging.py"
         result = subprocess.run(
-            [sys.executable, script, PROGRAM, write_waves(self.folder), "150", "100"],
+            [sys.executable, script, PROGRAM, write_waves(self.folder), "150", "100", "1"],
             cwd=self.folder, capture_output=True, text=True, check=True, timeout=2 * PATIENCE)
         self.assertEqual(len(re.findall(r"surfaces?: \d+ frames while moving: median [\d.]+ ms", result.stdout)), 2)
 

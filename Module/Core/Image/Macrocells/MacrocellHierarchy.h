@@ -78,6 +78,7 @@ private:
   int GetRowsOfSlab() const;
   bool TakeFrom(RangeStore* store);
   void BuildFinestLevel(const Rows& rows, int threads);
+  void BuildRow(const Index3& first, std::vector<T>& low, std::vector<T>& high);
   Rows AddToNextLevel(std::size_t level, const Rows& rows, int threads);
 
   Samples<T> TheSamples;
@@ -204,19 +205,13 @@ bool MacrocellHierarchy<T>::TakeFrom(RangeStore* store)
 }
 
 //------------------------------------------------------------------------------
-// One task makes one row of macrocells along x. It first takes the minimum and maximum over y and z
-// of whole rows of samples, which is a stream of vector instructions, and then those over x.
 template <typename T>
 void MacrocellHierarchy<T>::BuildFinestLevel(const Rows& rows, int threads)
 {
-  const Samples<T>& samples = this->TheSamples;
-  const Index3 dimensions = samples.GetDimensions();
   const Index3 size = this->Lattice.Levels[0].Size;
   const int edge = this->Lattice.Levels[0].Edge;
-  const std::ptrdiff_t stride = samples.GetStride(0);
-  const int before = samples.GetBefore();
-  const auto length = static_cast<std::size_t>(before + dimensions[0]);
-  const auto includeRow = GetBestKernels().IncludeRow[static_cast<int>(ScalarTypeOf<T>())];
+  const auto length =
+    static_cast<std::size_t>(this->TheSamples.GetBefore() + this->TheSamples.GetDimensions()[0]);
 
   // Of each thread, allocated here: no exception may leave a parallel region.
   std::vector<std::vector<T>> lows(static_cast<std::size_t>(threads), std::vector<T>(length));
@@ -231,44 +226,60 @@ void MacrocellHierarchy<T>::BuildFinestLevel(const Rows& rows, int threads)
 #pragma omp for schedule(dynamic)
     for (int row = rows.Begin; row < rows.End; ++row)
     {
-      const Index3 first = { 0, row % size[1], row / size[1] };
-      std::fill(low.begin(), low.end(), ValueRange<T>().Min);
-      std::fill(high.begin(), high.end(), ValueRange<T>().Max);
-      // A macrocell of n cells has n + 1 samples along an edge, shared with its neighbours. The
-      // first have those before the volume, too.
-      const auto firstOf = [before, edge](int macrocell)
-      { return macrocell == 0 ? -before : macrocell * edge; };
-      const int yEnd = std::min((first[1] + 1) * edge, dimensions[1] - 1);
-      const int zEnd = std::min((first[2] + 1) * edge, dimensions[2] - 1);
-      for (int z = firstOf(first[2]); z <= zEnd; ++z)
+      this->BuildRow({ 0, row % size[1], row / size[1] }, low, high);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Makes a row of macrocells along x, given the first of them and room for the values of a row of
+/// samples: the minimum and maximum over y and z of whole rows of samples, which is a stream of
+/// vector instructions, and then those over x.
+template <typename T>
+void MacrocellHierarchy<T>::BuildRow(const Index3& first, std::vector<T>& low, std::vector<T>& high)
+{
+  const Samples<T>& samples = this->TheSamples;
+  const Index3 dimensions = samples.GetDimensions();
+  const Index3 size = this->Lattice.Levels[0].Size;
+  const int edge = this->Lattice.Levels[0].Edge;
+  const std::ptrdiff_t stride = samples.GetStride(0);
+  const int before = samples.GetBefore();
+  const auto includeRow = GetBestKernels().IncludeRow[static_cast<int>(ScalarTypeOf<T>())];
+  std::fill(low.begin(), low.end(), ValueRange<T>().Min);
+  std::fill(high.begin(), high.end(), ValueRange<T>().Max);
+  // A macrocell of n cells has n + 1 samples along an edge, shared with its neighbours. The first
+  // have those before the volume, too.
+  const auto firstOf = [before, edge](int macrocell)
+  { return macrocell == 0 ? -before : macrocell * edge; };
+  const int yEnd = std::min((first[1] + 1) * edge, dimensions[1] - 1);
+  const int zEnd = std::min((first[2] + 1) * edge, dimensions[2] - 1);
+  for (int z = firstOf(first[2]); z <= zEnd; ++z)
+  {
+    for (int y = firstOf(first[1]); y <= yEnd; ++y)
+    {
+      const T* sample = samples.At({ -before, y, z });
+      if (stride == 1)
       {
-        for (int y = firstOf(first[1]); y <= yEnd; ++y)
-        {
-          const T* sample = samples.At({ -before, y, z });
-          if (stride == 1)
-          {
-            includeRow(sample, low.data(), high.data(), static_cast<int>(length));
-            continue;
-          }
-          for (std::size_t x = 0; x < length; ++x)
-          {
-            const T value = sample[static_cast<std::ptrdiff_t>(x) * stride];
-            IncludeLow(value, low[x]);
-            IncludeHigh(value, high[x]);
-          }
-        }
+        includeRow(sample, low.data(), high.data(), static_cast<int>(low.size()));
+        continue;
       }
-      ValueRange<T>* ranges = &this->Ranges[0][Offset(first, size)];
-      for (int i = 0; i < size[0]; ++i)
+      for (std::size_t x = 0; x < low.size(); ++x)
       {
-        const int xEnd = std::min((i + 1) * edge, dimensions[0] - 1);
-        ranges[i] = {};
-        for (int x = firstOf(i); x <= xEnd; ++x)
-        {
-          const auto index = static_cast<std::size_t>(before + x);
-          ranges[i].Include(low[index], high[index]);
-        }
+        const T value = sample[static_cast<std::ptrdiff_t>(x) * stride];
+        IncludeLow(value, low[x]);
+        IncludeHigh(value, high[x]);
       }
+    }
+  }
+  ValueRange<T>* ranges = &this->Ranges[0][Offset(first, size)];
+  for (int i = 0; i < size[0]; ++i)
+  {
+    const int xEnd = std::min((i + 1) * edge, dimensions[0] - 1);
+    ranges[i] = {};
+    for (int x = firstOf(i); x <= xEnd; ++x)
+    {
+      const auto index = static_cast<std::size_t>(before + x);
+      ranges[i].Include(low[index], high[index]);
     }
   }
 }
