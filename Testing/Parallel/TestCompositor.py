@@ -7,8 +7,8 @@ import os
 import unittest
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -51,6 +51,39 @@ from Pieces import (
 )
 
 
+CUT = CELLS[0][0] + (CELLS[0][1] - CELLS[0][0]) * (SIZE // 2) // SIZE  # the index of the first plane where pieces meet
+
+
+def on_odd_lattice(piece):
+    """Where positions and indices are rounded."""
+    piece.SetOrigin(0.77, -0.3, 0.2)
+    piece.SetSpacing(0.37, 0.9, 1.1)
+    return piece
+
+
+def as_rectilinear(piece):
+    grid, on_lattice = vtkRectilinearGrid(), on_odd_lattice(piece)
+    grid.SetExtent(piece.GetExtent())
+    for axis, put in enumerate((grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates)):
+        first, last = piece.GetExtent()[2 * axis:2 * axis + 2]
+        indices = numpy.arange(first, last + 1)
+        planes = on_lattice.GetOrigin()[axis] + on_lattice.GetSpacing()[axis] * (indices + 0.3 * numpy.sin(3.0 * (indices - CUT)))
+        put(numpy_to_vtk(planes, deep=True))
+    grid.GetPointData().ShallowCopy(piece.GetPointData())
+    grid.GetCellData().ShallowCopy(piece.GetCellData())
+    return grid
+
+
+def make_camera_in_cut():
+    """Its middle column of rays runs along the first plane where pieces meet."""
+    camera, x = vtkCamera(), 0.77 + 0.37 * CUT
+    camera.SetPosition(x, 60.0, 9.0)
+    camera.SetFocalPoint(x, 0.0, 0.5)
+    camera.SetViewUp(0.0, 0.0, 1.0)
+    camera.SetClippingRange(20.0, 160.0)
+    return camera
+
+
 MESHES = {"convert": as_mesh, "mapper_class": vtkIsosurfaceRayTraceMeshMapper}
 EXACT = [("SetNormalMode", vtkIsosurfaceRayTraceMapper.INTERPOLANT_GRADIENT)]
 THREE = {"isovalues": (120.0, 157.0, 200.0)}
@@ -64,6 +97,10 @@ SCENES = {
     "cells": {"ghosts": 2, "convert": with_cell_scalars},
     "caps": {"settings": [("AddClippingPlane", make_plane()), ("SetCapClippingPlanes", True)]},
     "parallel projection": {"camera": make_camera(True), "size": (131, 97)},
+    "rays in the plane where pieces meet": {"convert": on_odd_lattice, "camera": make_camera_in_cut(), "size": (61, 60)},
+    "translucent rays there": {"convert": on_odd_lattice, "camera": make_camera_in_cut(), "size": (61, 60), **THREE,
+                               "opacities": (0.3, 0.4, 0.5)},
+    "rectilinear rays there": {"convert": as_rectilinear, "camera": make_camera_in_cut(), "size": (61, 60)},
     "mesh": {**MESHES},
     "translucent mesh": {**MESHES, **THREE, "opacities": (0.3, 0.4, 1.0)},
 }

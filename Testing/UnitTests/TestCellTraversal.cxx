@@ -433,10 +433,48 @@ TEST(CellTraversal, KeepsRaysInTheLastFaceInTheLastCells)
   ASSERT_TRUE(ray);
   const std::vector<Index3> expected = { { 0, 3, 4 }, { 1, 3, 4 }, { 2, 3, 4 } };
   EXPECT_EQ(Traverse(*ray, MakeAllActive(size, { 2, 2 })), expected);
-  EXPECT_FALSE(
-    ClipToVolume({ -1.0, std::nextafter(4.0, 5.0), 5.0 }, { 1.0, 0.0, 0.0 }, 0.0, Infinity, size));
-  EXPECT_FALSE(
-    ClipToVolume({ -1.0, 4.0, std::nextafter(0.0, -1.0) }, { 1.0, 0.0, 0.0 }, 0.0, Infinity, size));
+  EXPECT_FALSE(ClipToVolume({ -1.0, 4.0 + 1e-9, 5.0 }, { 1.0, 0.0, 0.0 }, 0.0, Infinity, size));
+  EXPECT_FALSE(ClipToVolume({ -1.0, 4.0, -1e-9 }, { 1.0, 0.0, 0.0 }, 0.0, Infinity, size));
+}
+
+//------------------------------------------------------------------------------
+/// Pieces of a volume round otherwise, but a ray in the plane between them is in one cell for both.
+TEST(CellTraversal, PutsRaysIntoPlanesThatTheyAreInButForRounding)
+{
+  const Index3 size = { 6, 7, 8 };
+  const UnevenPlanes planes({ { { 0.0, 0.7, 1.9, 3.1, 4.3, 5.0 },
+    { 0.0, 0.9, 2.2, 3.0, 4.1, 5.5, 6.0 }, { 0.0, 0.4, 2.0, 3.3, 4.0, 5.1, 6.6, 7.0 } } });
+  RandomNumbers random(106);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const bool isEven = i % 2 == 0;
+    const auto axis = static_cast<std::size_t>(random.Integer(0, 2));
+    const int plane = random.Integer(0, size[axis] - 1);
+    const double coordinate = isEven ? plane : planes.Get(axis, plane);
+    Vector3 direction = random.Direction();
+    Vector3 origin = random.PointInBox({ 0.5, 0.5, 0.5 }, { 4.5, 5.5, 6.5 }) - direction * 20.0;
+    direction[axis] = random.Uniform(-1e-16, 1e-16);
+    // In the faces of the volume rays without planes of their own that are uneven may miss it.
+    const bool isInside = plane > 0 && plane < size[axis] - 1;
+    origin[axis] = coordinate + (isEven || isInside ? random.Uniform(-1e-14, 1e-14) : 0.0);
+    direction[axis] = isEven || isInside ? direction[axis] : 0.0;
+    const auto ray =
+      ClipToVolume(origin, direction, 0.0, Infinity, size, isEven ? nullptr : &planes);
+    if (ray)
+    {
+      EXPECT_EQ(ray->Step[axis], 0);
+      EXPECT_EQ(ray->Origin[axis], coordinate);
+      EXPECT_EQ(ray->Direction[axis], 0.0);
+      EXPECT_EQ(ray->Inverse[axis], std::min(plane, size[axis] - 2));
+    }
+  }
+  // Those that are farther away, or go on to other planes, are left as they are.
+  const auto off = ClipToVolume({ -1.0, 2.0 + 1e-9, 3.0 }, { 1.0, 0.0, 0.0 }, 0.0, Infinity, size);
+  ASSERT_TRUE(off);
+  EXPECT_EQ(off->Origin[1], 2.0 + 1e-9);
+  const auto across = ClipToVolume({ -1.0, 2.0, 3.0 }, { 1.0, 1e-10, 0.0 }, 0.0, Infinity, size);
+  ASSERT_TRUE(across);
+  EXPECT_EQ(across->Step[1], 1);
 }
 
 //------------------------------------------------------------------------------

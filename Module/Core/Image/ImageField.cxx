@@ -29,13 +29,22 @@ bool HaveSameIsovalues(const TraceRequest& a, const TraceRequest& b)
 /// are parallel to, if these are uneven; see Ray.
 void SetCellsOfParallelRays(const UnevenPlanes* planes, RayPacket& rays)
 {
-  for (std::size_t axis = 0; planes && axis < 3; ++axis)
+  for (int i = 0; planes && i < rays.Count; ++i)
   {
-    for (int i = 0; i < rays.Count; ++i)
+    if (!Has(rays.Exists, i))
     {
-      if (rays.Direction[axis][i] == 0.0 && Has(rays.Exists, i))
+      continue;
+    }
+    Vector3 origin = rays.GetOrigin(i);
+    Vector3 direction = rays.GetDirection(i);
+    SnapToPlanes(*planes, origin, direction);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (direction[axis] == 0.0)
       {
-        rays.Inverse[axis][i] = planes->FindCell(axis, rays.Origin[axis][i]);
+        rays.Origin[axis][i] = origin[axis];
+        rays.Direction[axis][i] = 0.0;
+        rays.Inverse[axis][i] = planes->FindCell(axis, origin[axis]);
       }
     }
   }

@@ -50,6 +50,37 @@ SIMD_INLINE auto ClipToSlabs(
   return meets & (rays.Begin <= rays.End);
 }
 
+/// So little of its distances, a ray is off a plane by rounding.
+constexpr double NegligibleOffPlane = 0x1p-46;
+
+/// Puts rays into lattice planes that they are parallel to and lie in, but for rounding. Pieces of
+/// a volume count their samples from their own first one, so they round otherwise: a ray in the
+/// plane where two of them meet, as rays of views along an axis are, would be in a cell of neither,
+/// or of both. It is in the plane for all.
+template <typename Number>
+SIMD_INLINE void SnapToPlanes(const int dimensions[3], ClippedRays<Number>& rays)
+{
+  Number reach = static_cast<double>(dimensions[0]) + dimensions[1] + dimensions[2];
+  Number length = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    reach = reach + Abs(rays.Origin[axis]);
+    length = length + Abs(rays.Direction[axis]);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto isParallel = Abs(rays.Direction[axis]) <= NegligibleOffPlane * length;
+    if (Any(isParallel))
+    {
+      const Number plane = Floor(rays.Origin[axis] + 0.5);
+      const auto isInPlane =
+        isParallel & (Abs(rays.Origin[axis] - plane) <= NegligibleOffPlane * reach);
+      rays.Origin[axis] = Select(isInPlane, plane, rays.Origin[axis]);
+      rays.Direction[axis] = Select(isInPlane, Number(0.0), rays.Direction[axis]);
+    }
+  }
+}
+
 /// Clips rays with origin, direction, begin and end to a volume of the given dimensions, whose last
 /// lattice planes have the given coordinates, and computes their other members. Returns which rays
 /// meet it; the others have undefined values.
@@ -58,6 +89,7 @@ SIMD_INLINE auto ClipToVolume(
   const int dimensions[3], const double lastPlanes[3], ClippedRays<Number>& rays)
 {
   using Mask = typename ClippedRays<Number>::Mask;
+  SnapToPlanes(dimensions, rays);
   const Number zero = 0.0;
   const Number infinity = Infinity;
   Mask isFinite = zero < infinity;

@@ -5,7 +5,9 @@
 
 #include "Rays/ClippedRays.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vtkIsosurfaceRayTracing
 {
@@ -42,6 +44,29 @@ void LeaveFlatBorders(const Index3& dimensions, double tBegin, double tEnd, Ray&
 }
 
 //------------------------------------------------------------------------------
+void SnapToPlanes(const UnevenPlanes& planes, Vector3& origin, Vector3& direction)
+{
+  const double length = std::abs(direction[0]) + std::abs(direction[1]) + std::abs(direction[2]);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (std::abs(direction[axis]) <= NegligibleOffPlane * length)
+    {
+      const int cell = planes.FindCell(axis, origin[axis]);
+      const double lower = planes.Get(axis, cell);
+      const double upper = planes.Get(axis, cell + 1);
+      const double plane = origin[axis] - lower < upper - origin[axis] ? lower : upper;
+      // Planes stand between 0 and the number of the last one, which is not far below this.
+      const double reach = 3.0 * planes.Get(axis, std::numeric_limits<int>::max());
+      if (std::abs(origin[axis] - plane) <= NegligibleOffPlane * reach)
+      {
+        origin[axis] = plane;
+        direction[axis] = 0.0;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction, double tBegin,
   double tEnd, const Index3& dimensions, const UnevenPlanes* planes)
 {
@@ -61,12 +86,16 @@ std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction,
     return std::nullopt;
   }
   Ray ray;
+  std::copy_n(clipped.Origin, 3, ray.Origin.begin());
+  std::copy_n(clipped.Direction, 3, ray.Direction.begin());
+  if (planes)
+  {
+    SnapToPlanes(*planes, ray.Origin, ray.Direction);
+  }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    ray.Origin[axis] = clipped.Origin[axis];
-    ray.Direction[axis] = clipped.Direction[axis];
     ray.Inverse[axis] = clipped.Inverse[axis];
-    ray.Step[axis] = clipped.Parallel[axis] ? 0 : (clipped.Up[axis] ? 1 : -1);
+    ray.Step[axis] = ray.Direction[axis] == 0.0 ? 0 : (clipped.Up[axis] ? 1 : -1);
     if (planes && ray.Step[axis] == 0)
     {
       ray.Inverse[axis] = planes->FindCell(axis, ray.Origin[axis]);

@@ -75,6 +75,10 @@ struct Ray
 std::optional<Ray> ClipToVolume(const Vector3& origin, const Vector3& direction, double tBegin,
   double tEnd, const Index3& dimensions, const UnevenPlanes* planes = nullptr);
 
+/// Puts a ray that is cut to a volume into planes that are not evenly spaced, as SnapToPlanes of
+/// ClippedRays.h does into even ones. Its direction along their axes becomes 0.
+void SnapToPlanes(const UnevenPlanes& planes, Vector3& origin, Vector3& direction);
+
 /// Appends a ray to a packet that has room for it.
 inline void AppendRay(const std::optional<Ray>& ray, RayPacket& packet)
 {
