@@ -5,18 +5,23 @@
  * @brief   pick the isosurface that a mapper of this module draws
  *
  * VTK's own pickers treat a volume as a cloud, and pick where its opacity passes a threshold. This
- * one picks the isosurface: Pick returns for a pixel of the window, to the last bit, what the
- * mapper draws there. Pick3DRay and Pick3DPoint return what IntersectWithLine of
- * vtkIsosurfaceRayTraceMapper does. Clipping planes, cropping, the matrix of the volume and the
+ * picker picks the isosurface: for a pixel of the window, Pick returns what the mapper draws there,
+ * to the last bit. Pick3DRay and Pick3DPoint return what IntersectWithLine of
+ * vtkIsosurfaceRayTraceMapper returns. Clipping planes, cropping, the matrix of the volume and the
  * choice of scalars are respected as in the picture.
  *
- * GetPickPosition and GetPickNormal are those of the surface (the normal towards smaller values, by
- * the mapper's NormalMode; of a cap, see the mapper's CapClippingPlanes, that of its plane),
- * GetCellId, GetPCoords, GetCellIJK and GetPointId those of the image (of a mesh there is no
- * GetCellIJK), and GetIsovalue is that of the surface. Of composite input GetCompositeDataSet,
- * GetFlatBlockIndex and GetDataSet tell the block, in which cells and points are numbered. Other
- * props are picked as by
- * vtkVolumePicker, at the centre of the pixel; of all, the nearest is picked.
+ * The results of a pick are:
+ * - GetPickPosition: the position on the surface
+ * - GetPickNormal: the normal of the surface, towards smaller values, by the mapper's NormalMode;
+ *   for a cap (see the mapper's CapClippingPlanes), the normal of its plane
+ * - GetIsovalue: the isovalue of the surface
+ * - GetCellId, GetPCoords, GetCellIJK and GetPointId: those of the image, or of the mesh, which has
+ *   no GetCellIJK
+ * - GetCompositeDataSet, GetFlatBlockIndex and GetDataSet: the block of composite input, within
+ *   which cells and points are numbered
+ *
+ * Other props are picked as by vtkVolumePicker, at the centre of the pixel. The nearest of all
+ * props is picked.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceRayTraceMeshMapper vtkVolumePicker vtkCellPicker
  */
@@ -41,7 +46,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Get the isovalue of the surface that was picked; NaN if no surface was.
+   * Get the isovalue of the surface that was picked; NaN if no surface was picked.
    */
   vtkGetMacro(Isovalue, double);
 

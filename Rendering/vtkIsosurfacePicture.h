@@ -5,8 +5,9 @@
  * @brief   a picture of isosurfaces, with its depth, among the props of a renderer
  *
  * Shows what vtkIsosurfaceRayTraceMapper::RenderToImage or vtkIsosurfaceRayTraceCompositor has made
- * for the camera of the renderer: other props are before or behind its opaque surfaces by depth. So
- * a picture of data that lie in many processes is drawn into the window of one of them:
+ * for the camera of the renderer. Other props are in front of or behind its opaque surfaces by
+ * depth. This is how a picture of data that are distributed over many processes is drawn into the
+ * window of one of them:
  *
  * @code
  * renderer->ResetCameraClippingRange(bounds); // of the whole data and of the other props
@@ -16,15 +17,16 @@
  * window->Render();
  * @endcode
  *
- * The picture covers the viewport of the renderer: it should have its size, and is stretched
- * otherwise. It must have been made with the clipping range that the camera has when it is drawn,
- * which renderers do not change in Render(), but vtkRenderWindowInteractor does after each
- * interaction: make the picture then (vtkCommand::StartEvent of the window).
+ * The picture covers the viewport of the renderer: it should have the same size, and is otherwise
+ * stretched. It must have been made with the clipping range that the camera has when the picture is
+ * drawn. Renderers do not change this range in Render(), but vtkRenderWindowInteractor does after
+ * each interaction: make the picture after that (vtkCommand::StartEvent of the window).
  *
- * A picture whose pixels are opaque or empty is drawn with the opaque geometry; another one, after
- * translucent geometry, as volumes are, over everything that is not nearer than its opaque
- * surfaces: it should show only what is before the opaque geometry. RenderToImage ends its rays
- * there if it has the depths of the scene, in the process of the window:
+ * A picture whose pixels are all opaque or empty is drawn with the opaque geometry. Any other
+ * picture is drawn after translucent geometry, as volumes are, over everything that is not nearer
+ * than its opaque surfaces: it should show only what is in front of the opaque geometry.
+ * RenderToImage ends its rays there if it is given the depths of the scene, in the process of the
+ * window:
  *
  * @code
  * picture->VisibilityOff();
@@ -34,16 +36,16 @@
  * compositor->RenderToImage(volume, camera, lights, width, height, image, depths);
  * @endcode
  *
- * A projection has no depth: it is drawn over all else, and what it shows ends at the opaque
- * geometry if it was made with the depths.
+ * A projection has no depth: it is drawn over everything else. If it was made with the depths, what
+ * it shows ends at the opaque geometry.
  *
- * Translucent props between translucent surfaces look as if they were behind them: the picture has
- * one colour for all.
+ * Translucent props between translucent surfaces look as if they were behind them: a pixel of the
+ * picture has one colour for all of its surfaces.
  *
- * It has no bounds, and cannot be picked.
+ * The prop has no bounds, and cannot be picked.
  *
- * The colours of these pictures are multiplied by their opacity, which formats of files do not
- * expect: write what UnpremultiplyColors or FlattenColors makes of a picture.
+ * The colours of these pictures are multiplied by their opacity, which file formats do not expect.
+ * To write a picture to a file, convert it with UnpremultiplyColors or FlattenColors:
  *
  * @code
  * mapper->RenderToImage(volume, camera, lights, width, height, image);
@@ -89,11 +91,11 @@ public:
 
   ///@{
   /**
-   * Makes an image for a file of a picture that RenderToImage has made: with a transparent
-   * background (red, green, blue and opacity; the colours are not multiplied by it), or with the
-   * picture over a background of one colour (red, green and blue from 0 to 1). The scalars are of
-   * unsigned char. Returns whether there is an image; if not, a warning says what the picture
-   * lacks.
+   * Converts a picture that RenderToImage has made to an image for a file: either with a
+   * transparent background (red, green, blue and opacity; the colours are not multiplied by the
+   * opacity), or over a background of one colour (red, green and blue from 0 to 1). The scalars are
+   * of type unsigned char. Returns whether there is an image; if not, a warning says what the
+   * picture lacks.
    */
   static bool UnpremultiplyColors(vtkImageData* picture, vtkImageData* image);
   static bool FlattenColors(vtkImageData* picture, const double background[3], vtkImageData* image);
@@ -105,14 +107,14 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * Copies another one; the picture is shared.
+   * Copies another vtkIsosurfacePicture; the picture is shared.
    */
   void ShallowCopy(vtkProp* prop) override;
 
   ///@{
   /**
-   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   * Draw the picture, in the one of the two that suits it.
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE Draw the picture, in the one of the two
+   * passes that suits it.
    */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderVolumetricGeometry(vtkViewport* viewport) override;

@@ -4,32 +4,35 @@
  * @class   vtkIsosurfaceVolume
  * @brief   a volume whose isosurfaces are drawn among the polygons of a scene
  *
- * VTK draws volumes last: translucent polygons, and render passes that read the depth of opaque
- * geometry (vtkSSAOPass, vtkEDLShading, shadow maps), come before and miss them. This volume draws
- * its isosurfaces together with the opaque geometry if all that its vtkIsosurfaceRayTraceMapper
- * draws are opaque: then translucent polygons are in front of or behind them by depth, with or
- * without depth peeling.
+ * VTK draws volumes last. Translucent polygons, and render passes that read the depth of opaque
+ * geometry (vtkSSAOPass, vtkEDLShading, shadow maps), come before them and do not see them. If all
+ * isosurfaces that its vtkIsosurfaceRayTraceMapper draws are opaque, this volume draws them
+ * together with the opaque geometry: translucent polygons are then in front of or behind them by
+ * depth, with or without depth peeling.
  *
- * If some are translucent, and the renderer peels depths (vtkRenderer::UseDepthPeeling) because
- * there are translucent polygons or another such volume, each surface is peeled as polygons are:
- * they are in front of and behind each other by depth. Surfaces are traced once for all peels, with
- * one ray for each pixel, whatever ImageSampleDistance below 1 and ProgressiveAccumulation say.
- * Without a GPU such a frame takes two to three times as long, and with rays farther apart, as
- * while the view is moved, not much less. For each surface at each pixel it takes 76 bytes while it
- * is made, and 20 in textures until the next frame.
+ * If some isosurfaces are translucent, and the renderer peels depths (vtkRenderer::UseDepthPeeling)
+ * because there are translucent polygons or another such volume, each isosurface is peeled as
+ * polygons are: surfaces and polygons are in front of and behind each other by depth. Surfaces are
+ * traced once for all peels, with one ray for each pixel, whatever ImageSampleDistance below 1 and
+ * ProgressiveAccumulation say. Without a GPU such a frame takes two to three times as long; larger
+ * distances between rays, as during interaction, reduce this time only a little. A frame takes 76
+ * bytes for each surface at each pixel while it is made, and 20 bytes in textures until the next
+ * frame.
  *
- * Otherwise it behaves as a vtkVolume: without depth peeling, with render passes of an
- * application's own (vtkRenderer::SetPass), UseSSAO or UseShadows where a surface is translucent,
- * for projections and clouds, and with mappers of other classes.
+ * Otherwise it behaves like a vtkVolume. That is:
+ * - where a surface is translucent, without depth peeling, or with render passes of the application
+ *   (vtkRenderer::SetPass), UseSSAO or UseShadows
+ * - for projections and clouds
+ * - with mappers of other classes
  *
  * The mapper is queried in each frame (vtkIsosurfaceRayTraceMapper::HasOnlyOpaqueSurfaces); there
  * is nothing to set.
  *
- * Smooth edges (vtkIsosurfaceRayTraceMapper::SetImageSampleDistance below 1,
- * ProgressiveAccumulation) are blended with what is drawn already. VTK draws props in the order in
- * which they were added: add this volume after the polygons that are behind it.
+ * Anti-aliased edges (vtkIsosurfaceRayTraceMapper::SetImageSampleDistance below 1,
+ * ProgressiveAccumulation) are blended with what has already been drawn. VTK draws props in the
+ * order in which they were added: add this volume after the polygons that are behind it.
  *
- * A vtkIsosurfaceRayTraceMeshMapper is treated alike.
+ * A vtkIsosurfaceRayTraceMeshMapper is treated in the same way.
  *
  * @sa vtkIsosurfaceRayTraceMapper vtkIsosurfaceRayTraceMeshMapper vtkVolume
  */
@@ -63,8 +66,8 @@ public:
 
   ///@{
   /**
-   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   * Draw the volume, in those that suit its surfaces.
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE Draw the volume, in the passes that
+   * suit its surfaces.
    */
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
