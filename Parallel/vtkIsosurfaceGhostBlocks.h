@@ -4,11 +4,11 @@
  * @class   vtkIsosurfaceGhostBlocks
  * @brief   gives each process the AMR blocks of others that are next to its own
  *
- * A surface in AMR data goes on from block to block by the samples on both sides, and a block is
- * not drawn where another refines it. Blocks that are shared out over processes have neighbours in
- * other processes, of which VTK makes no ghosts: without them the pictures that
- * vtkIsosurfaceRayTraceCompositor composites have gaps and steps between the blocks of different
- * processes. With them, they are those of one process:
+ * In AMR data, a surface continues from block to block by the samples on both sides, and a block is
+ * not drawn where another block refines it. Blocks that are distributed over processes have
+ * neighbours in other processes, for which VTK makes no ghost cells. Without these neighbours, the
+ * pictures that vtkIsosurfaceRayTraceCompositor composites have gaps and steps between the blocks
+ * of different processes. With them, the pictures are those of one process:
  *
  * @code
  * ghosts->SetInputData(amr); // in each process; of the global controller
@@ -17,17 +17,20 @@
  * compositor->RenderToImage(volume, camera, nullptr, 800, 600, picture);
  * @endcode
  *
- * The output has the blocks of the input, in their places, and another level with those of other
- * processes that come nearer to one of the own blocks than four cells of the coarser of the two;
- * those that no coarser block lies behind (vtkNonOverlappingAMR), than four of the coarsest cells
- * that are near the own block. Their cells are hidden (vtkDataSetAttributes::HIDDENCELL), so that
- * they are drawn by their own process alone. They are whole blocks, with all arrays, which takes
- * memory: it is for blocks that are small against the data. A block that both processes have is not
- * sent. Blocks without arrays, as which a process may have those of others, are left out.
+ * The output has the blocks of the input, at the same indices, and one more level with blocks of
+ * other processes. A block of another process is added if it is nearer to one of the own blocks
+ * than four cells of the coarser of the two. If no coarser block lies behind it
+ * (vtkNonOverlappingAMR), the distance is four of the coarsest cells that are near the own block.
  *
- * All processes must update the filter together, also those without blocks, whose input is empty.
- * (One whose input is of another kind reports an error, and counts as one without blocks.) With one
- * process nothing is added.
+ * The cells of added blocks are hidden (vtkDataSetAttributes::HIDDENCELL), so that they are drawn
+ * by their own process alone. The blocks are sent whole, with all arrays, which takes memory: this
+ * filter is meant for blocks that are small compared with the data. A block that both processes
+ * have is not sent. Blocks without arrays, which may stand for the blocks of other processes, are
+ * left out.
+ *
+ * All processes must update the filter together, including those without blocks, whose input is
+ * empty. (A process whose input is of another kind reports an error, and counts as one without
+ * blocks.) With one process nothing is added.
  *
  * @sa vtkIsosurfaceRayTraceCompositor
  */
@@ -55,7 +58,7 @@ public:
   ///@{
   /**
    * Set/Get the controller of the processes. Default: null, which stands for the global controller,
-   * or for a single process where there is none.
+   * or for a single process if there is no global controller.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

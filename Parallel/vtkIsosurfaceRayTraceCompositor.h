@@ -5,8 +5,9 @@
  * @brief   makes one picture of isosurfaces whose data lie in many processes
  *
  * Each process has a piece of the data, a vtkIsosurfaceRayTraceMapper,
- * vtkIsosurfaceRayTraceMeshMapper or vtkCellProjectionMapper of the piece, and a volume with the
- * same property and matrix as the others. All call RenderToImage together, with the same view:
+ * vtkIsosurfaceRayTraceMeshMapper or vtkCellProjectionMapper for this piece, and a volume with the
+ * same property and matrix as in all other processes. All processes call RenderToImage together,
+ * with the same view:
  *
  * @code
  * vtkNew<vtkIsosurfaceRayTraceCompositor> compositor; // of the global controller
@@ -15,43 +16,45 @@
  * @endcode
  *
  * Each process traces its piece (with its own threads: divide the cores of a machine among the
- * processes on it, by OMP_NUM_THREADS or SetNumberOfThreads). What the rays met is composited pixel
- * by pixel, in the order of each ray: pieces need no order, and may be of any shape. The picture is
- * that of one process with all data:
- * - Bit for bit, if surfaces are opaque or translucent and pieces have enough layers of ghosts:
- *   none with NormalMode INTERPOLANT_GRADIENT and scalars of points, one with central differences
- *   or cubic interpolation; one more with scalars of cells.
- *   (Where meshes are of another centre than the whole, the depth may differ in its last bits.)
- *   AMR data need the blocks beside their own: vtkIsosurfaceGhostBlocks adds them.
- * - The same for projections (blend modes MAXIMUM_INTENSITY_BLEND and MINIMUM_INTENSITY_BLEND of
- *   vtkIsosurfaceRayTraceMapper) of mappers with one connection: each pixel shows the most extreme
- *   value of all pieces, whose last bits may differ, but not its colour. (Where a ray has several
- *   equal ones, the depth may be that of another.) They need a layer of ghosts for scalars of cells
- *   alone.
- * - Shadows and ambient occlusion end at the pieces: a piece casts none on another.
+ * processes on it, by OMP_NUM_THREADS or SetNumberOfThreads). The hits of the rays are composited
+ * pixel by pixel, in the order along each ray: pieces need no order, and may have any shape. The
+ * picture is that of one process with all data, with these qualifications:
+ * - Opaque and translucent surfaces are the same, bit for bit, if pieces have enough layers of
+ *   ghost cells: none with NormalMode INTERPOLANT_GRADIENT and point scalars, one with central
+ *   differences or cubic interpolation; one more with cell scalars. (Where the centre of a mesh is
+ *   not that of the whole, the depth may differ in its last bits.) AMR data need the blocks beside
+ *   their own: vtkIsosurfaceGhostBlocks adds them.
+ * - Projections (blend modes MAXIMUM_INTENSITY_BLEND and MINIMUM_INTENSITY_BLEND of
+ *   vtkIsosurfaceRayTraceMapper) must be of mappers with one connection. Each pixel shows the most
+ *   extreme value of all pieces. The colour is the same; the value may differ in its last bits.
+ *   (Where a ray has several equal extreme values, the depth may be that of another one.) A layer
+ *   of ghost cells is needed for cell scalars only.
+ * - Shadows and ambient occlusion end at the border of a piece: a piece has no effect on another.
  * - A pixel has one ray: ProgressiveAccumulation has no effect.
  *
- * The data of a piece are given with SetInputData: the mappers ask their inputs for the whole. A
- * cell is of the piece in which it is no ghost (vtkDataSetAttributes::DUPLICATECELL); pieces whose
- * own cells overlap show the surface there twice, which is seen where it is translucent. A process
- * may have no data: give its mapper no input, or an empty one; so may a connection of several have
- * none in some processes: give it an empty input there, so that connections are the same in all.
+ * Set the data of a piece with SetInputData: mappers request the whole extent of their inputs. A
+ * cell belongs to the piece in which it is not a ghost cell (vtkDataSetAttributes::DUPLICATECELL).
+ * Pieces whose own cells overlap show the surface there twice, which is visible where it is
+ * translucent. A process may have no data: give its mapper no input, or an empty one. One of
+ * several connections may also have no data in some processes: give it an empty input there, so
+ * that all processes have the same connections.
  *
- * Clouds (vtkCellProjectionMapper) are drawn together, too, isosurfaces in them included, by the
- * processes of a vtkMPIController. Cells may be dealt out in any way; round robin, in short runs of
+ * The processes of a vtkMPIController also draw clouds (vtkCellProjectionMapper) together,
+ * including isosurfaces in them. Cells may be distributed in any way; round robin, in short runs of
  * some 64 that are neighbours in the file, keeps all processes equally busy. The picture is divided
- * into tiles, whose rows are dealt out to processes, their owners. All work on the same tiles at
- * about the same time: they find the segments of rays in their cells, front to back, and send them
- * to the owners, which draw them by depth as they come, and tell where the cloud is opaque. The
- * picture is that of one process, bit for bit, for any number of processes, pieces and threads.
- * (Inputs that are composite data or several connections may differ in the last bits, as above.)
- * Clouds that are lit (vtkVolumeProperty::ShadeOn) need the ghosts that isosurfaces need: none with
- * NormalMode INTERPOLANT_GRADIENT, one layer with central differences.
+ * into tiles, and the rows of tiles are assigned to processes, their owners. All processes work on
+ * the same tiles at about the same time: they find the segments of rays in their cells, front to
+ * back, and send them to the owners. The owners draw these by depth as they arrive, and report
+ * where the cloud is opaque. The picture is that of one process, bit for bit, for any number of
+ * processes, pieces and threads. (With composite data or several connections as inputs it may
+ * differ in the last bits, as above.) Clouds that are lit (vtkVolumeProperty::ShadeOn) need the
+ * ghosts that isosurfaces need: none with NormalMode INTERPOLANT_GRADIENT, one layer with central
+ * differences.
  *
- * The pixels are composited by binary swap: in each of log2(n) steps, of n processes, a process
- * gives half of its rows to another, and takes the other half of the other's pixels. What is empty
- * is not sent. If n is no power of two, the first processes begin with a step in which every second
- * one gives all it has to its neighbour.
+ * The pixels are composited by binary swap: with n processes, there are log2(n) steps, in each of
+ * which a process gives half of its rows to another process and receives the pixels of the other
+ * half from it. Empty pixels are not sent. If n is not a power of two, there is one step before
+ * these, in which every second one of the first processes gives all of its pixels to its neighbour.
  *
  * K.-L. Ma, S. Parker: Massively Parallel Software Rendering for Visualizing Large-Scale Data Sets.
  * IEEE Computer Graphics and Applications 21(4), 2001.
@@ -95,7 +98,7 @@ public:
   ///@{
   /**
    * Set/Get the controller of the processes. Default: null, which stands for the global controller,
-   * or for a single process where there is none.
+   * or for a single process if there is no global controller.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -104,7 +107,7 @@ public:
   ///@{
   /**
    * Set/Get whether process 0 gets the whole picture, and the others an empty one. If not, each
-   * gets the rows that it composited, as an image with their extent. Default: on.
+   * process gets the rows that it composited, as an image with their extent. Default: on.
    */
   vtkSetMacro(Gather, bool);
   vtkGetMacro(Gather, bool);
@@ -112,21 +115,22 @@ public:
   ///@}
 
   /**
-   * Gives the camera of process 0 to all processes: its place, its projection and its clipping
-   * range. To be called by all. What a view depends on besides is up to the application.
+   * Copies the camera of process 0 (its position, its projection and its clipping range) to all
+   * processes. All processes must call this together. The application must keep everything else on
+   * which a view depends the same in all processes.
    */
   void BroadcastCamera(vtkCamera* camera);
 
   /**
-   * Makes the picture of all pieces. To be called by all processes, with the same camera, lights
-   * (null: a headlight) and size, and with volumes and mappers of the same settings. The output has
-   * the arrays Colors and Depth of vtkIsosurfaceRayTraceMapper::RenderToImage, which has the other
-   * arguments, too, and of a projection Value.
+   * Makes the picture of all pieces. All processes must call this together, with the same camera,
+   * lights (null: a headlight) and size, and with the same settings of volumes and mappers. The
+   * arguments are those of vtkIsosurfaceRayTraceMapper::RenderToImage. The output has its arrays
+   * Colors and Depth, and Value for a projection.
    *
-   * The depths are those of the opaque geometry that this process has drawn; null, the default,
-   * where it has none. Rays end at the nearest of all processes: translucent surfaces and clouds
-   * are seen before it, and nothing behind it. A scene that process 0 draws alone needs them there
-   * alone (vtkIsosurfacePicture says how to get them).
+   * The depths are those of the opaque geometry that this process has drawn; null, the default, if
+   * it has drawn none. Rays end at the nearest depth of all processes: translucent surfaces and
+   * clouds are seen in front of it, and nothing behind it. If process 0 alone draws the scene, only
+   * process 0 needs depths (see vtkIsosurfacePicture for how to get them).
    *
    * Returns whether there is a picture: the same in all processes. If not, an error of process 0
    * names the processes whose errors report why.
@@ -135,20 +139,20 @@ public:
     int height, vtkImageData* output, vtkFloatArray* depths = nullptr);
 
   /**
-   * The same for the isosurfaces of several volumes, translucent ones in each other, too: as many
-   * in all processes, in the same order. Where surfaces are in the same place, that of the first
-   * volume is in front. Each volume has a mapper of its own: a surface casts no shadow on those of
-   * others.
+   * Makes the picture of the isosurfaces of several volumes, which may be translucent and inside
+   * each other. All processes must have the same number of volumes, in the same order. Where
+   * surfaces coincide, that of the first volume is in front. Each volume has its own mapper: a
+   * surface casts no shadow on those of other volumes.
    */
   bool RenderToImage(vtkVolumeCollection* volumes, vtkCamera* camera, vtkLightCollection* lights,
     int width, int height, vtkImageData* output, vtkFloatArray* depths = nullptr);
 
   ///@{
   /**
-   * Set/Get how clouds are sent: a message has at least BufferDepth segments of rays (from 1 to
-   * 2^24), unless its process has nothing else to do; and a process looks for messages after
-   * PollingInterval groups of up to 16 tiles in which it found segments, or drew what it has to
-   * draw of them (from 1 on). Both change the time alone. Default: 4096 and 1.
+   * Set/Get how clouds are sent. A message has at least BufferDepth segments of rays (from 1 to
+   * 2^24), unless its process has nothing else to do. A process looks for messages after
+   * PollingInterval (from 1 on) groups of up to 16 tiles in which it has found segments, or has
+   * drawn those that it has to draw. Both change only the time. Default: 4096 and 1.
    */
   vtkSetClampMacro(BufferDepth, int, 1, 1 << 24);
   vtkGetMacro(BufferDepth, int);
@@ -158,9 +162,10 @@ public:
 
   ///@{
   /**
-   * Get what the last cloud took in this process: the number of segments of rays in its own cells,
-   * of those that it drew, whosever cells they are in, and how many of these were stored at once,
-   * at most. Zero for isosurfaces, and where one process has all data.
+   * Get counts of the last cloud in this process: the number of segments of rays in its own cells,
+   * the number of segments that it drew, whichever process has their cells, and the largest number
+   * of the latter that were stored at once. They are zero for isosurfaces, and if one process has
+   * all data.
    */
   vtkGetMacro(SegmentsFound, vtkTypeInt64);
   vtkGetMacro(SegmentsDrawn, vtkTypeInt64);
@@ -169,10 +174,10 @@ public:
 
   ///@{
   /**
-   * Get what the last picture took in this process: the time to render its piece and to composite
-   * the pixels, including waiting for others, in seconds of wall-clock time, and the number of
-   * bytes sent for it, without those that find the nearest depths. (Of a cloud, drawing is
-   * rendering, too.)
+   * Get the cost of the last picture in this process: the times to render its piece and to
+   * composite the pixels, including waiting for others, in seconds of wall-clock time; and the
+   * number of bytes sent for it, without those that find the nearest depths. (For a cloud, drawing
+   * counts as rendering.)
    */
   vtkGetMacro(RenderTime, double);
   vtkGetMacro(CompositeTime, double);
