@@ -6,10 +6,11 @@
  *
  * Computes the isosurfaces of a vtkImageData by several methods, and reports the cost of each
  * method and its distance from the isosurface of the trilinear interpolant, which
- * vtkIsosurfaceRayTraceMapper traces. Of a vtkUnstructuredGrid or a vtkStructuredGrid it is the
- * isosurface of the cells' interpolants, which vtkIsosurfaceRayTraceMeshMapper traces. There are
- * methods for images and for meshes; those that are not for the input are passed over. Cells and
- * points that are hidden, or ghosts (vtkGhostType), are taken like all others.
+ * vtkIsosurfaceRayTraceMapper traces. For a vtkUnstructuredGrid or a vtkStructuredGrid, the
+ * reference is the isosurface of the interpolants of the cells, which
+ * vtkIsosurfaceRayTraceMeshMapper traces. There are methods for images and methods for meshes;
+ * those that do not apply to the input are skipped. Hidden cells and points and ghost cells and
+ * points (vtkGhostType) are treated like all others.
  *
  * Output 0 is a vtkTable with a row for every isovalue and method; the rows of an isovalue are
  * consecutive. Times are wall-clock times in seconds, each the median of all repeats. Values that
@@ -42,35 +43,37 @@
  * | TopologyDifferences    | ambiguous cells in which the topology of the mesh is different      |
  * | Note                   | why something could not be measured, or lies elsewhere              |
  *
- * *Pictures* of triangles are shaded with the normals that the filters compute, ray traced ones
- * with the defaults of the mapper. They need an OpenGL window; without one the times are NaN and
- * the note says why. The times of triangles depend on whether a GPU or a CPU draws them.
+ * *Pictures* of triangles are shaded with the normals that the filters compute; ray traced pictures
+ * are shaded with the defaults of the mapper. Pictures need an OpenGL window; without one the times
+ * are NaN and the note says why. The times of triangles depend on whether a GPU or a CPU draws
+ * them.
  *
  * *Distances* are measured at the centroids of the triangles: the vertices are on edges of cells,
  * where linear interpolation is exact, and would make the mesh look more accurate than it is. A
  * distance is measured along the gradient of the interpolant, by casting a ray, or to the nearest
  * crossing of an edge of the cell, if that is nearer; it is never smaller than the true distance.
- * Where a point is outside of the image, a line goes on from the border, and the way there counts.
- * For the mappers of this module the points are the hits of the picture, with the gradient as
- * normal. In a mesh the cell at a point, the value and the gradient there are those of VTK's own
- * cells (vtkCell::EvaluatePosition, vtkCell::Derivatives), and the unit of distances in cells is
- * the mean length of the edges of that cell; points that are in no cell are lost.
+ * For a point outside of the image, the line continues from the border, and the distance to the
+ * border is added. For the mappers of this module the points are the hits of the picture, with the
+ * gradient as normal. In a mesh, the cell at a point and the value and gradient there are found
+ * with VTK's own cells (vtkCell::EvaluatePosition, vtkCell::Derivatives). The unit of distances in
+ * cells is the mean length of the edges of that cell. Points that are in no cell count as lost.
  *
  * *Pixels* are compared by casting the rays of the picture at the isosurface and at the triangles,
- * in double precision and without OpenGL. vtkGPUVolumeRayCastMapper keeps no surface that rays
- * could be cast at, or whose distance could be measured: its pixels are those of its picture, and
- * it has no triangles, no memory but the driver's, and no distances.
+ * in double precision and without OpenGL. vtkGPUVolumeRayCastMapper has no surface at which rays
+ * could be cast, or whose distance could be measured. Its pixels are those of its picture; it has
+ * no triangles, no memory except that of the driver, and no distances.
  *
  * *Ambiguous cells* have inside corners, or outside corners, that are not all connected by edges
  * between them. The topology is different if two corners can be connected by a path that does not
  * cross the mesh, but by none that does not cross the isosurface, or the reverse. Cells with a
- * corner at the isovalue are left out. In meshes they are not counted: AmbiguousCells and
- * TopologyDifferences are NaN. For the mappers of this module the isosurface would be compared with
- * itself: these and the numbers of pixels that differ are NaN.
+ * corner at the isovalue are left out. In meshes, ambiguous cells are not counted: AmbiguousCells
+ * and TopologyDifferences are NaN. For the mappers of this module the isosurface would be compared
+ * with itself: these columns and the numbers of pixels that differ are NaN.
  *
  * *PeakBytes* is the growth of resident memory during build and extraction, or during a picture, on
- * Linux only (VmHWM of /proc). It includes everything the process does meanwhile: measure in a
- * process that does nothing else. Memory of the graphics driver is in no column.
+ * Linux only (VmHWM of /proc). It includes everything that the process does during this time:
+ * measure in a process that does nothing else. No column includes the memory of the graphics
+ * driver.
  *
  * Output 1 is the mesh of the row selected with SetOutputRow, each triangle split into three at its
  * centroid, with the point data DistanceInCells (the active scalars) and Distance. For the mappers
@@ -78,7 +81,7 @@
  *
  * Output 2 is an image of the same row, the bottom row of pixels first, with the point data
  * DepthDifference (the active scalars: the distance of the mesh behind the isosurface along the
- * ray, in world units; NaN where one is missing) and Coverage (0: neither, 1: both, 2: the
+ * ray, in world units; NaN where either is missing) and Coverage (0: neither, 1: both, 2: the
  * isosurface alone, 3: the mesh alone).
  *
  * Triangles with vertices that are not finite, which VTK generates near samples that are not
@@ -92,7 +95,8 @@
  * rows.
  *
  * Progress is reported after every measurement, never during one, so that the time of observers is
- * not measured. AbortExecute is checked there too; after an abort the table has the finished rows.
+ * not measured. AbortExecute is checked at the same points; after an abort the table has the rows
+ * that were finished.
  *
  * The near-optimal extraction in span space is that of Y. Livnat, H.-W. Shen, C. R. Johnson: A Near
  * Optimal Isosurface Extraction Algorithm Using the Span Space. IEEE TVCG 2(1), 1996, as
@@ -134,7 +138,7 @@ public:
   /**
    * Set/Get the isovalues, as in vtkContourFilter. They are kept in a vtkContourValues. There are
    * at most MaximumNumberOfContours; an index beyond them is an error, and a larger number of
-   * contours is this one. Default: the single isovalue 0.
+   * contours is reduced to this maximum. Default: the single isovalue 0.
    */
   void SetValue(int i, double value);
   double GetValue(int i);
@@ -216,9 +220,9 @@ public:
   ///@{
   /**
    * Set/Get whether vtkGPUVolumeRayCastMapper is measured, for images, in its isosurface mode, with
-   * its default settings: the times of pictures and the pixels that show the surface. It is what
-   * vtkSmartVolumeMapper draws isosurfaces by. Without a GPU a picture takes OpenGL about a second.
-   * Default: false.
+   * its default settings: the times of pictures and the pixels that show the surface.
+   * vtkSmartVolumeMapper uses this mapper to draw isosurfaces. Without a GPU, OpenGL takes about a
+   * second for a picture. Default: false.
    */
   vtkSetMacro(GPUVolumeRayCast, bool);
   vtkGetMacro(GPUVolumeRayCast, bool);
@@ -267,7 +271,7 @@ public:
   ///@{
   /**
    * Set/Get the camera of the pictures. Its clipping range is reset to include the whole volume.
-   * Default: none, for which the camera of LookAt is used.
+   * Default: none; the camera of LookAt is used.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -292,13 +296,14 @@ public:
   ///@}
 
   /**
-   * Makes a camera look at the centre of an image or a mesh, from the front, the left and above if
-   * y points to the viewer and z up, so that it fills most of the picture.
+   * Makes a camera look at the centre of an image or a mesh, so that the data fill most of the
+   * picture. If y points to the viewer and z up, it looks from the front, the left and above.
    */
   static void LookAt(vtkDataSet* data, vtkCamera* camera);
 
   /**
-   * Returns why pictures cannot be rendered on this machine, and the remedy; empty if they can.
+   * Returns why pictures cannot be rendered on this machine, and the remedy; an empty string if
+   * they can.
    */
   static std::string WhyNoPictures();
 

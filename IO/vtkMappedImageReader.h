@@ -5,44 +5,44 @@
  * @brief   give an image whose samples stay in the file
  *
  * This reader maps a file into the address space: its output is a vtkImageData whose scalars are
- * the bytes of the file. Nothing is read until it is looked at, the system keeps in memory what
- * there is room for, and drops it again. So a volume that is larger than the memory is opened at
- * once. vtkIsosurfaceRayTraceMapper uses samples where they are: it reads all of them once, for
- * macrocells, and then those next to the surface.
+ * the bytes of the file. Nothing is read before it is accessed. The operating system keeps in
+ * memory as much of the file as there is room for, and drops it again. A volume that is larger than
+ * the memory can therefore be opened immediately. vtkIsosurfaceRayTraceMapper uses the samples in
+ * place: it reads all of them once, for macrocells, and then those next to the surface.
  *
  * The samples must be stored as they are in memory: uncompressed, in one file, in the byte order of
- * the machine, and from a byte on that the size of a number (2 for a short) divides. All else is an
- * error that says what to do. These are mapped:
+ * the machine, and beginning at an offset that is a multiple of the size of a number (2 for a
+ * short). Anything else is an error that says what to do. These formats are mapped:
  *
  * - MetaImage (.mhd, .mha)
  * - NRRD (.nhdr, .nrrd) with the encoding raw
- * - NIfTI (.nii); of several time steps the first; the values as they are stored, to which
- *   scl_slope and scl_inter are not applied
+ * - NIfTI (.nii): of several time steps, the first; the values as they are stored, without applying
+ *   scl_slope and scl_inter
  * - the XML format of VTK (.vti) with raw appended data (vtkXMLWriter::EncodeAppendedDataOff,
- *   SetCompressorTypeToNone), in one piece, of which nothing is hidden (vtkGhostType); only the
- *   active scalars of the points
- * - files of any other name as raw samples, of which the extent, type, header size and byte order
- *   are set as for vtkImageReader2, and FileDimensionality to 3 (2, the default, is an error)
+ *   SetCompressorTypeToNone), in one piece, without hidden points or cells (vtkGhostType); only the
+ *   active point scalars
+ * - files with any other name, as raw samples: set their extent, type, header size and byte order
+ *   as for vtkImageReader2, and FileDimensionality to 3 (2, the default, is an error)
  *
  * The output is what VTK's reader of the format gives, bit for bit, with one difference. Samples
  * that VTK's readers reverse (raw ones without FileLowerLeft and NRRD in a left-handed space along
- * y, NIfTI with a negative qfac along z) stay in the order of the file: the direction matrix of the
- * image, which has a negative determinant then, puts them to the same places in space.
+ * y, NIfTI with a negative qfac along z) stay in the order of the file. The direction matrix of the
+ * image, which then has a negative determinant, puts them at the same places in space.
  *
- * The file must stay as it is while the output or a copy of its array is in use. A program that
- * writes a new file under another name and renames it does no harm. One that cuts off the file ends
- * this process when samples that are missing are looked at (SIGBUS). What is written to the samples
- * of the output is not written to the file. Each page that is written to becomes memory of the
- * process.
+ * The file must not change while the output or a copy of its array is in use. A program that writes
+ * a new file under another name and renames it does no harm. If a program truncates the file, this
+ * process ends (SIGBUS) when it accesses missing samples. Changes of the samples of the output are
+ * not written to the file; each page that is changed becomes memory of the process.
  *
- * SetFileNames() takes the time steps of a volume, each in a file of its own (not slices, which are
- * not mapped): all of one format, size, type and geometry. Their times are 0, 1, 2, ...
- * (TIME_STEPS); a time in between is that of the nearest step, and without UpdateTimeStep() it is
- * the first. While a step is in use, the system reads the one that follows in the direction of the
- * last two, unless it takes more than a quarter of the memory: so it is there when it is asked for.
+ * SetFileNames() takes the time steps of a volume, each in its own file (not slices, which are not
+ * mapped). All must have the same format, size, type and geometry. Their times are 0, 1, 2, ...
+ * (TIME_STEPS). A time in between selects the nearest step; without UpdateTimeStep() the first step
+ * is selected. While a step is in use, the system reads ahead the next one in the direction of the
+ * last two, unless it takes more than a quarter of the memory, so that it is in memory when it is
+ * requested.
  *
- * An update extent gives whole slices. Memory is mapped on POSIX systems; on others there is an
- * error.
+ * The output for an update extent has whole slices. Files are mapped on POSIX systems only; on
+ * other systems the reader reports an error.
  *
  * @sa vtkImageReader2 vtkMetaImageReader vtkNrrdReader vtkNIFTIImageReader vtkXMLImageDataReader
  */
@@ -74,13 +74,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Returns 3 if the file has a header, and its samples can be mapped; 0 otherwise. Nothing is said
-   * of files without a header.
+   * Returns 3 if the file has a header and its samples can be mapped; 0 otherwise, also for files
+   * without a header, which may still be mapped as raw samples.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName) override;
 
   /**
-   * Set the files of the time steps of a volume. The settings of raw samples stay as they are.
+   * Set the files of the time steps of a volume. The settings of raw samples do not change.
    */
   void SetFileNames(vtkStringArray* names) override;
 
