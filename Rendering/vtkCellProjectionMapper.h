@@ -47,19 +47,20 @@
  *   points, each of which is the mean of those of the cells around it, weighted by volume. In
  *   composite data, and in the pieces of many processes, a layer of ghost cells makes it the same
  *   as in the whole data, as for isosurfaces.
- * - INTERPOLANT_GRADIENT: the gradient of each tetrahedron, constant in it. Where the gradient is
- *   zero, there is ambient light alone. As in vtkFixedPointVolumeRayCastMapper, the side towards
- *   the viewer is lit, whichever it is, or, with vtkRenderer::TwoSidedLightingOff, the side of
- *   smaller values. (The highlights of vtkFixedPointVolumeRayCastMapper are wider, because it uses
- *   the half-way vector. It takes ambient light from the lights, where it is black by default; here
- *   it is white, as on surfaces.)
+ * - INTERPOLANT_GRADIENT: the gradient of each tetrahedron, constant in it.
  *
- *   The reflected light is computed at both ends of the segment of a ray in a tetrahedron and is
- *   linear between them; this is integrated as exactly as everything else. With
- *   INTERPOLANT_GRADIENT and lights without a position it is exact. Otherwise it is exact at the
- *   faces, and the smaller the cells are, the more accurate it is between them. The light is not
- *   clamped: highlights are rounded to white only in the picture. A cloud neither casts nor
- *   receives shadows, and maximum intensity is not lit.
+ * Where the gradient is zero, there is ambient light alone. As in vtkFixedPointVolumeRayCastMapper,
+ * the side towards the viewer is lit, whichever it is, or, with vtkRenderer::TwoSidedLightingOff,
+ * the side of smaller values. (The highlights of vtkFixedPointVolumeRayCastMapper are wider,
+ * because it uses the half-way vector. It takes ambient light from the lights, where it is black by
+ * default; here it is white, as on surfaces.)
+ *
+ * The reflected light is computed at both ends of the segment of a ray in a tetrahedron and is
+ * linear between them; this is integrated as exactly as everything else. With INTERPOLANT_GRADIENT
+ * and lights without a position it is exact. Otherwise it is exact at the faces, and the smaller
+ * the cells are, the more accurate it is between them. The light is not clamped: highlights are
+ * rounded to white only in the picture. A cloud neither casts nor receives shadows, and maximum
+ * intensity is not lit.
  *
  * If the scalars have several components and VectorMode is DISABLED, the cloud uses all of them:
  * - vtkVolumeProperty::IndependentComponents on (the default), 2 to 4: each component is a cloud of
@@ -72,8 +73,9 @@
  *   functions of component 0 of the property, as in vtkProjectedTetrahedraMapper.
  * - Off, 4: the components are red, green, blue and opacity themselves, from 0 to 255 for unsigned
  *   char and from 0 to 1 for other types. Lower and higher values are clamped to these ranges.
- *   Dependent components (off) are lit by the gradient of the last one, the opacity, with the
- *   material of component 0 of the property.
+ *
+ * Dependent components (off) are lit by the gradient of the last one, the opacity, with the
+ * material of component 0 of the property.
  *
  * All components are linear along a ray in a tetrahedron: the light of a mixture is integrated as
  * exactly as that of one component. Other numbers of components are an error. Cells with a value

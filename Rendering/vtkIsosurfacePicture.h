@@ -113,8 +113,8 @@ public:
 
   ///@{
   /**
-   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE Draw the picture, in the one of the two
-   * passes that suits it.
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * Draw the picture, in the one of the two passes that suits it.
    */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderVolumetricGeometry(vtkViewport* viewport) override;

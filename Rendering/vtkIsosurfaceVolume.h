@@ -19,7 +19,7 @@
  * bytes for each surface at each pixel while it is made, and 20 bytes in textures until the next
  * frame.
  *
- * Otherwise it behaves like a vtkVolume. That is:
+ * In all other cases it behaves like a vtkVolume:
  * - where a surface is translucent, without depth peeling, or with render passes of the application
  *   (vtkRenderer::SetPass), UseSSAO or UseShadows
  * - for projections and clouds
@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE Draw the volume, in the passes that
-   * suit its surfaces.
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * Draw the volume, in the passes that suit its surfaces.
    */
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
