@@ -60,27 +60,30 @@ def read(path: str | os.PathLike) -> vtkDataObject:
     Returns
     -------
     vtkDataObject
-        What the file holds, for example a vtkImageData. Those of DICOM and NIfTI, and of NRRD and MetaImage files that
-        tell of a patient (space, AnatomicalOrientation), have their axes and their origin in the patient: x to the
-        right, y to the front, z to the head. Those of other NRRD and MetaImage files have the axes that the file gives.
-        Of several volumes in a NIfTI it is the first.
-        Values are scaled as DICOM and NIfTI (scl_slope, scl_inter) tell. Images of more than half the memory are
-        used where they are in the file (see vtkMappedImageReader), if that can be: an uncompressed MetaImage, NRRD, or
-        .vti with raw appended data, of which it has the active scalars.
+        What the file holds, for example a vtkImageData.
+
+        Images from DICOM and NIfTI, and from NRRD and MetaImage files that specify an anatomical orientation (space,
+        AnatomicalOrientation), have the axes and the origin of the patient: x to the right, y to the front, z to the head.
+        Images from other NRRD and MetaImage files have the axes that the file gives. If a NIfTI file has several volumes, the
+        first is read. Values are scaled as specified by DICOM and NIfTI (scl_slope, scl_inter).
+
+        Images of more than half the memory are not read, but mapped (see vtkMappedImageReader), if the file is an uncompressed
+        MetaImage or NRRD, or a .vti with raw appended data, of which only the active scalars are used.
 
     Raises
     ------
     FileNotFoundError
         There is no such file or folder.
     ValueError
-        It has no reader for it, or it is damaged, or not a volume, or a folder has not the slices of one series.
+        There is no reader for the file, the file is damaged or not a volume, or the folder does not have the slices of one
+        series.
     MemoryError
-        It announces more samples than this process may have memory for, and they cannot be used in the file.
+        The header announces more samples than this process may have memory for, and the file cannot be mapped.
 
     Warns
     -----
     RuntimeWarning
-        Something is left out: other volumes of a NIfTI, axes that are not perpendicular, slices that are missing.
+        Something is left out or missing: further volumes of a NIfTI file, axes that are not perpendicular, missing slices.
     """
     path = os.fspath(path)
     if not os.path.exists(path):

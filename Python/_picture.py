@@ -19,15 +19,15 @@ from .vtkIsosurfaceRayTracing import vtkIsosurfacePicture
 class Picture:
     """A picture of isosurfaces, which Jupyter shows.
 
-    numpy.asarray of it is ``rgba``: matplotlib's imshow and Pillow's Image.fromarray take it.
+    numpy.asarray converts it to ``rgba``; matplotlib's imshow and Pillow's Image.fromarray accept it.
 
     Attributes
     ----------
     image : vtkImageData
-        What RenderToImage of the mapper has made: colours, multiplied by the opacity, depths, normals, positions,
+        The output of RenderToImage of the mapper: colours (multiplied by the opacity), depths, normals, positions,
         cells.
     rgba : numpy.ndarray
-        Rows from the top of red, green, blue and opacity, from 0 to 255. The colours are not multiplied by the opacity.
+        Red, green, blue and opacity, from 0 to 255, in rows from the top. The colours are not multiplied by the opacity.
     """
 
     def __init__(self, image: vtkImageData, background: str | Sequence[float] | None = None) -> None:
@@ -40,7 +40,7 @@ class Picture:
         return self.image.GetDimensions()[:2]
 
     def array(self, name: str) -> np.ndarray:
-        """Rows from the top of an array of ``image``: "Depth", "Normals", "Position", "CellId" or "IsovalueId"."""
+        """An array of ``image``, as rows from the top: "Depth", "Normals", "Position", "CellId" or "IsovalueId"."""
         array = self.image.GetPointData().GetArray(name)
         if array is None:
             points = self.image.GetPointData()

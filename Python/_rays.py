@@ -22,10 +22,10 @@ class Hits(typing.NamedTuple):
     rays: np.ndarray
     """The numbers of the rays."""
     t: np.ndarray
-    """The distances, in units of the directions."""
+    """The distances, in units of the lengths of the directions."""
     points: np.ndarray
     normals: np.ndarray
-    """Of length one, towards smaller values."""
+    """Unit vectors, towards smaller values."""
     isovalues: np.ndarray
     cells: np.ndarray
     """The numbers of the cells."""
@@ -42,15 +42,15 @@ def cast_rays(
 ) -> Hits:
     """Find where rays meet isosurfaces, up to the first opaque one.
 
-    A ray ends, too, where the surfaces before it together transmit less than 1/1024 of the light: after 11 hits of
-    opacity 0.5. An opacity of 0.001 finds all (up to some 6900).
+    A ray also ends where the surfaces in front together transmit less than 1/1024 of the light: after 11 hits of
+    opacity 0.5. An opacity of 0.001 finds all hits (up to some 6900).
 
     Parameters
     ----------
     surfaces, isovalues, **options
-        As for ``isosurface``; or volumes that it returned.
+        As for ``isosurface``, or volumes that it returned.
     origins, directions : array_like
-        Rows of x, y and z; a single one stands for all.
+        Rows of x, y and z; a single row is used for all rays.
 
     Returns
     -------

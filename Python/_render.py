@@ -34,19 +34,19 @@ def render(
     Parameters
     ----------
     surfaces : data, vtkVolume or list of vtkVolume
-        What ``isosurface`` takes, or what it returns: several of these are drawn together.
+        What ``isosurface`` takes, or one or several volumes that it returned, which are drawn together.
     isovalues, **options
-        Of data, as for ``isosurface``: ``scalars``, ``color``, ``opacity``, ``color_by``, ``cmap``, ``clim``, ``clip``,
-        ``caps``, ``shadows``, ``occlusion``, ``interpolation``, ``samples``, ``spacing``, ``origin``, ``direction``.
+        For data, the parameters of ``isosurface``: ``scalars``, ``color``, ``opacity``, ``color_by``, ``cmap``, ``clim``,
+        ``clip``, ``caps``, ``shadows``, ``occlusion``, ``interpolation``, ``samples``, ``spacing``, ``origin``, ``direction``.
     size : (int, int)
         Width and height, in pixels.
     view, up : axis or vector
-        The side from which the surfaces are seen, and what is above in the picture: "x", "-x", ... "-z", or vectors.
-        Without ``up`` that is "z".
+        The side from which the surfaces are seen, and the direction that is up in the picture: "x", "-x", ... "-z", or vectors.
+        Without ``up``, "z" is up.
     zoom : float
-        Above 1, the surfaces are larger than the picture.
+        With more than 1, the surfaces are larger than the picture.
     camera : vtkCamera, optional
-        Instead of these three. Its clipping range is not used: all is seen.
+        Used instead of ``view``, ``up`` and ``zoom``. Its clipping range is ignored: everything is seen.
     background : colour, optional
         Without it, the background is transparent.
 

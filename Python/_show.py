@@ -31,7 +31,7 @@ def show(
     background: str | Sequence[float] = "white",
     **options: Any,
 ) -> None:
-    """Open a window in which the mouse turns isosurfaces, and wait until it is closed.
+    """Open a window in which the mouse rotates isosurfaces, and wait until it is closed.
 
     While the mouse rests, edges are anti-aliased. The parameters are those of ``render``; the background is white
     by default, and ``camera`` is copied.

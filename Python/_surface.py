@@ -55,50 +55,51 @@ def isosurface(
     ----------
     data : numpy.ndarray, vtkDataObject, str or os.PathLike
         The samples: an array with the axes x, y and z (give ``array.T`` if they are z, y and x), a vtkImageData, a
-        vtkRectilinearGrid, a vtkStructuredGrid, a vtkUnstructuredGrid, composite data of these, which PyVista's are
-        too; or what ``read`` reads. Arrays are not copied where VTK can read them as they are: after a change, make
-        the isosurfaces again.
+        vtkRectilinearGrid, a vtkStructuredGrid, a vtkUnstructuredGrid, composite data of these, which PyVista's are too; or a
+        path that ``read`` reads. Arrays are not copied if VTK can use their memory: make the isosurfaces again after a change
+        of the array.
     isovalues : float, sequence of float or "auto"
-        "auto" is the threshold between the two classes of values that differ most (Otsu's).
+        "auto" is the threshold that best separates the values into two classes (Otsu's method).
     scalars : str, optional
-        The name of the array, of points or of cells. Without it, the active one. Of vectors, the magnitude is used.
+        The name of the point or cell array. Without it, the active array is used. For vectors, the magnitude is used.
     color : colour or list of colours, optional
-        A name of CSS, "#rrggbb", or red, green and blue from 0 to 1: one for all isovalues or one for each. Without it,
-        ivory; of several isovalues, from blue to ivory.
+        A CSS colour name, "#rrggbb", or red, green and blue from 0 to 1: one for all isovalues or one for each. Without it,
+        ivory; for several isovalues, colours from blue to ivory.
     opacity : float or sequence of float, optional
         From 0 to 1, one for all isovalues or one for each. Without it, the surface of the largest isovalue is opaque,
         and the others have an opacity of 0.35.
     color_by : str, numpy.ndarray or vtkImageData, optional
-        What colours the surfaces instead: another array of the data by its name, one with a value for each sample, or
-        an image of any resolution. Arrays of unsigned char with 3 or 4 components are colours; of other vectors, the
-        magnitude is used.
+        What colours the surfaces instead of ``color``: the name of another array of the data, a numpy array with a value for
+        each sample, or an image of any resolution. Arrays of unsigned char with 3 or 4 components are colours; for other
+        vectors, the magnitude is used.
     cmap : str, list of colours or callable
-        The colours of ``color_by``: "viridis", "coolwarm", "gray", "inferno", a colour map of matplotlib or its name,
-        or colours between which is interpolated.
+        The colours of ``color_by``: "viridis", "coolwarm", "gray", "inferno", a colour map of matplotlib or its name, or a list
+        of colours, which are interpolated.
     clim : pair of float, optional
         The values at the two ends of ``cmap`` or, without ``color_by``, of the colours of ``caps``. Without them, the
         range of the array; for ``caps``, from the smallest isovalue to the 99th percentile of the values above it.
     clip : normal, (point, normal), vtkPlane, or list of these, optional
-        Planes that cut the surfaces. What the normal points to is kept; it is a vector or an axis ("x", "-z"), and
-        without a point the plane is through the centre of the data.
+        Planes that cut the surfaces. The side to which the normal points is kept. The normal is a vector or an axis ("x",
+        "-z"). Without a point, the plane goes through the centre of the data.
     caps : bool, None or colour map
-        Whether cuts are closed, and the colours of the data on them, unless there is a ``color_by``; True is that of
-        the surface, and None is False.
+        Whether cuts are closed; without ``color_by``, also the colour map of the data on them. True gives caps the colour of
+        the surface, and None is the same as False.
     shadows, occlusion : bool
-        Whether the surfaces cast shadows on each other, and hide ambient light from each other where they are nearer
-        than a quarter of the diagonal of the data; by four rays for each of the ``samples``: with few of these, pictures
-        are noisy. Each takes more time.
+        Whether the surfaces cast shadows on each other, and whether they occlude ambient light within a quarter of the diagonal
+        of the data (ambient occlusion). Occlusion uses four rays for each of the ``samples``: with few samples, pictures are
+        noisy. Both take more time.
     interpolation : {"linear", "cubic", "nearest"}
-        Between samples. Meshes have their own.
+        The interpolation between samples. In meshes, the cells determine it.
     samples : int
-        How many rays a pixel has in a still picture, from 1 to 256: anti-aliasing.
+        The number of rays for a pixel in a still picture, from 1 to 256, for anti-aliasing.
     spacing, origin, direction : array_like, optional
-        Of a numpy array: the distances of samples, the place of the first one, and the axes as the columns of a matrix.
+        For a numpy array: the distances between samples, the position of the first sample, and the axes as the columns of a
+        matrix.
 
     Returns
     -------
     vtkIsosurfaceVolume
-        A vtkVolume, whose property and mapper have everything else.
+        A vtkVolume; all other settings are in its property and its mapper.
 
     Raises
     ------
