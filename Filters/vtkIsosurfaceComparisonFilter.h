@@ -36,7 +36,7 @@
  * | LostPoints             | measured points from which no isosurface was found                  |
  * | CoveredPixels          | pixels that show the isosurface                                     |
  * | DifferentPixels        | pixels that show either the isosurface or the mesh, but not both:   |
- * |                        | of vtkGPUVolumeRayCastMapper, what its picture shows                |
+ * |                        | for vtkGPUVolumeRayCastMapper, what its picture shows               |
  * | IsosurfaceAlonePixels, MeshAlonePixels | of them, those that show the isosurface, and those  |
  * |                        | that show the mesh                                                  |
  * | AmbiguousCells         | cells whose signs do not determine the topology, see below          |

@@ -41,8 +41,8 @@
  * last two, unless it takes more than a quarter of the memory, so that it is in memory when it is
  * requested.
  *
- * The output for an update extent has whole slices. Files are mapped on POSIX systems only; on
- * other systems the reader reports an error.
+ * The output for an update extent has whole slices. Files are mapped on POSIX systems; on other
+ * systems the reader reports an error.
  *
  * @sa vtkImageReader2 vtkMetaImageReader vtkNrrdReader vtkNIFTIImageReader vtkXMLImageDataReader
  */

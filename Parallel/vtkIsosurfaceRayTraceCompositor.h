@@ -48,8 +48,8 @@
  * where the cloud is opaque. The picture is that of one process, bit for bit, for any number of
  * processes, pieces and threads. (With composite data or several connections as inputs it may
  * differ in the last bits, as above.) Clouds that are lit (vtkVolumeProperty::ShadeOn) need the
- * ghosts that isosurfaces need: none with NormalMode INTERPOLANT_GRADIENT, one layer with central
- * differences.
+ * ghost cells that isosurfaces need: none with NormalMode INTERPOLANT_GRADIENT, one layer with
+ * central differences.
  *
  * The pixels are composited by binary swap: with n processes, there are log2(n) steps, in each of
  * which a process gives half of its rows to another process and receives the pixels of the other

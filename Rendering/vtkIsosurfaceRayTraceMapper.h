@@ -33,9 +33,9 @@
  * below that does not concern lights or the colours of surfaces applies to projections as well.
  *
  * @par Light and depth:
- * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are used, with every light of
- * the renderer, and so is vtkRenderer::TwoSidedLighting. (Where a headlight is the only light, VTK
- * gives polygons wider highlights.) The surface is drawn into the render window with its true
+ * Ambient, Diffuse, Specular, SpecularPower and Shade of the property are used, and so are all
+ * lights of the renderer and vtkRenderer::TwoSidedLighting. (Where a headlight is the only light,
+ * VTK gives polygons wider highlights.) The surface is drawn into the render window with its true
  * depth: opaque geometry hides it and is hidden by it, pixel by pixel. In a vtkIsosurfaceVolume,
  * translucent geometry is also composited correctly with the surface, if the surface is opaque or
  * the renderer uses depth peeling.
@@ -659,7 +659,7 @@ public:
    * Thin features may be missing, and surfaces are slightly displaced. Arrays to colour by
    * (ColorArrayName) are evaluated where surfaces are.
    *
-   * K.-L. Ma, S. Parker (2001), see above: interactivity over accuracy.
+   * This follows K.-L. Ma and S. Parker (2001, see above): interactivity over accuracy.
    */
   vtkSetMacro(LevelOfDetail, bool);
   vtkGetMacro(LevelOfDetail, bool);

@@ -57,7 +57,7 @@
  * The colour of a surface may come from another array (ColorArrayName).
  *
  * The blend modes of vtkUnstructuredGridVolumeMapper are ignored: surfaces are drawn.
- * ClippingPlanes cut them exactly, along every ray, and are closed by CapClippingPlanes.
+ * ClippingPlanes cut them exactly, along every ray; CapClippingPlanes closes the cuts.
  *
  * The documentation of vtkIsosurfaceRayTraceMapper about errors, about events and what their
  * observers may do, and about threads applies here, too.
