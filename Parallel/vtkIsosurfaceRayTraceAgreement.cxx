@@ -48,9 +48,9 @@ Numbers DescribeLights(vtkLightCollection* lights)
       { static_cast<double>(light->GetLightType()), static_cast<double>(light->GetSwitch()),
         static_cast<double>(light->GetPositional()), light->GetIntensity(), light->GetConeAngle(),
         light->GetExponent() });
-    for (const double* vector :
-      { light->GetTransformedPosition(), light->GetTransformedFocalPoint(),
-        light->GetDiffuseColor(), light->GetSpecularColor(), light->GetAttenuationValues() })
+    for (const double* vector : { light->GetTransformedPosition(),
+           light->GetTransformedFocalPoint(), light->GetAmbientColor(), light->GetDiffuseColor(),
+           light->GetSpecularColor(), light->GetAttenuationValues() })
     {
       Append(vector, 3, numbers);
     }
@@ -66,22 +66,41 @@ Numbers DescribeIsovalues(vtkVolumeProperty* property)
   return numbers;
 }
 
+/// The points of a function, each with its midpoint and sharpness in so many numbers.
+template <int Count, typename Function>
+void AppendNodes(Function* function, Numbers& numbers)
+{
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[Count];
+    function->GetNodeValue(i, node);
+    Append(node, Count, numbers);
+  }
+}
+
+void AppendFunction(vtkPiecewiseFunction* function, Numbers& numbers)
+{
+  AppendNodes<4>(function, numbers);
+  numbers.insert(numbers.end(),
+    { static_cast<double>(function->GetClamping()), function->GetUseLogScale() ? 1.0 : 0.0 });
+}
+
 Numbers DescribeColors(vtkVolumeProperty* property, int component)
 {
   Numbers numbers;
-  vtkPiecewiseFunction* opacity = property->GetScalarOpacity(component);
-  Append(opacity->GetDataPointer(), 2 * opacity->GetSize(), numbers);
+  AppendFunction(property->GetScalarOpacity(component), numbers);
   if (property->GetColorChannels(component) == 1)
   {
-    vtkPiecewiseFunction* gray = property->GetGrayTransferFunction(component);
-    Append(gray->GetDataPointer(), 2 * gray->GetSize(), numbers);
+    AppendFunction(property->GetGrayTransferFunction(component), numbers);
     return numbers;
   }
   vtkColorTransferFunction* colors = property->GetRGBTransferFunction(component);
-  Append(colors->GetDataPointer(), 4 * colors->GetSize(), numbers);
-  numbers.insert(numbers.end(),
-    { static_cast<double>(colors->GetVectorMode()),
-      static_cast<double>(colors->GetVectorComponent()) });
+  AppendNodes<6>(colors, numbers);
+  for (const int setting : { colors->GetVectorMode(), colors->GetVectorComponent(),
+         colors->GetColorSpace(), colors->GetHSVWrap(), colors->GetScale(), colors->GetClamping() })
+  {
+    numbers.push_back(setting);
+  }
   return numbers;
 }
 
@@ -118,6 +137,12 @@ Numbers DescribeMapper(vtkAbstractVolumeMapper* mapper)
       static_cast<double>(ofImages->GetInterpolationMode()),
       static_cast<double>(ofImages->GetRootSolver()),
       static_cast<double>(ofImages->GetNumberOfInterpolations()) });
+  numbers.push_back(ofImages->GetCropping());
+  if (ofImages->GetCropping())
+  {
+    numbers.push_back(ofImages->GetCroppingRegionFlags());
+    Append(ofImages->GetCroppingRegionPlanes(), 6, numbers);
+  }
   return numbers;
 }
 
@@ -157,14 +182,20 @@ Numbers DescribePlanes(vtkPlaneCollection* planes)
   return numbers;
 }
 
+Numbers DescribeMatrix(vtkVolume* volume)
+{
+  Numbers matrix;
+  volume->ComputeMatrix();
+  Append(volume->GetMatrix()->GetData(), 16, matrix);
+  return matrix;
+}
+
 std::vector<vtkIsosurfaceRayTraceAgreement::Item> DescribeVolume(vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
   vtkAbstractVolumeMapper* mapper = volume->GetMapper();
-  Numbers matrix;
-  volume->ComputeMatrix();
-  Append(volume->GetMatrix()->GetData(), 16, matrix);
-  return { { "matrices of the volumes", matrix }, { "isovalues", DescribeIsovalues(property) },
+  return { { "matrices of the volumes", DescribeMatrix(volume) },
+    { "isovalues", DescribeIsovalues(property) },
     { "transfer functions", DescribeColors(property, 0) },
     { "materials", DescribeMaterial(property, 0) },
     { "settings of the mappers", DescribeMapper(mapper) },

@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <type_traits>
@@ -594,6 +595,8 @@ std::string vtkIsosurfaceRayTraceCompositor::FindDisagreement(
   std::vector<double> ofFirst = own;
   ofFirst.resize(static_cast<std::size_t>(size));
   controller->Broadcast(ofFirst.data(), size, 0);
+  const auto areSame = [](double one, double other)
+  { return one == other || (std::isnan(one) && std::isnan(other)); };
   std::size_t begin = 0;
   for (const vtkIsosurfaceRayTraceAgreement::Item& item : items)
   {
@@ -601,7 +604,7 @@ std::string vtkIsosurfaceRayTraceCompositor::FindDisagreement(
     const bool isSame = end <= ofFirst.size() &&
       std::equal(own.begin() + static_cast<std::ptrdiff_t>(begin),
         own.begin() + static_cast<std::ptrdiff_t>(end),
-        ofFirst.begin() + static_cast<std::ptrdiff_t>(begin));
+        ofFirst.begin() + static_cast<std::ptrdiff_t>(begin), areSame);
     if (!isSame && !ofFirst.empty())
     {
       return std::string("The ") + item.Name + " of process " +

@@ -112,7 +112,7 @@
  * vtkStructuredGrid, mixed and nested in any way. They are one scene: hits are sorted along each
  * ray, whichever blocks they belong to, so translucent surfaces may pass through each other. Blocks
  * hide each other, cast shadows on each other and occlude each other. (Meshes are traced as by
- * vtkIsosurfaceRayTraceMeshMapper; neither cropping nor projections show them.)
+ * vtkIsosurfaceRayTraceMeshMapper; cropping does not cut them, and projections leave them out.)
  *
  * Images on a common lattice, with or without layers of ghost cells, are drawn as the single image
  * of which they are pieces: the surface and its normals have no seams. This takes a copy of their

@@ -84,7 +84,9 @@ def to_the_last(mesh):
     return mesh if RANK == SIZE - 1 else None
 
 
-def make_cloud(data, surfaces=False, unit=8.0, maximum=False, plane=False, threads=1, shade=False, smooth=False):
+def make_cloud(data, surfaces=False, unit=8.0, maximum=False, plane=False, threads=1, shade=False, smooth=False, opaque=False,
+               many=False):
+    """With two isosurfaces, of which one may be opaque, or with many that together hide what is behind them."""
     settings = [("SetNumberOfThreads", threads), ("SetDrawIsosurfaces", surfaces)]
     if not smooth:
         settings.append(("SetNormalMode", vtkCellProjectionMapper.INTERPOLANT_GRADIENT))  # without ghosts
@@ -95,9 +97,11 @@ def make_cloud(data, surfaces=False, unit=8.0, maximum=False, plane=False, threa
     volume.GetProperty().GetScalarOpacity().RemoveAllPoints()
     for value, opacity in ((60.0, 0.0), (120.0, 0.1), (150.0, 0.6), (200.0, 0.2), (260.0, 0.9)):
         volume.GetProperty().GetScalarOpacity().AddPoint(value, opacity)
+    if opaque:
+        volume.GetProperty().GetScalarOpacity().AddPoint(157.0, 1.0)
     volume.GetProperty().SetScalarOpacityUnitDistance(unit)
-    volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 157.0)
-    volume.GetProperty().GetIsoSurfaceValues().SetValue(1, 230.0)
+    for i, isovalue in enumerate(range(150, 200, 2) if many else (157.0, 230.0)):
+        volume.GetProperty().GetIsoSurfaceValues().SetValue(i, isovalue)
     if plane:
         clipping = vtkPlane()
         clipping.SetOrigin(2.0, 1.0, 3.0)
@@ -159,7 +163,9 @@ class TestClouds(PicturesOfMany):
         for settings in (
             {"is_parallel": True},
             {"maximum": True},
+            {"maximum": True, "surfaces": True, "opaque": True},
             {"surfaces": True},
+            {"surfaces": True, "many": True, "unit": 100.0},
             {"shade": True},
             {"shade": True, "surfaces": True, "plane": True, "threads": 2},
             {"threads": 3},

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of many processes is that of one. Run by mpirun; process 0 has the whole data, too, for comparison."""
 
+import math
 import os
 import unittest
 
@@ -410,7 +411,13 @@ class TestCompositor(PicturesOfMany):
 
         check("isovalues", lambda volume: volume.GetProperty().GetIsoSurfaceValues().SetValue(0, 158.0))
         check("transfer functions", lambda volume: volume.GetProperty().GetScalarOpacity().AddPoint(157.0, 0.5))
+        colors = lambda volume: volume.GetProperty().GetRGBTransferFunction()  # noqa: E731
+        check("transfer functions", lambda volume: colors(volume).SetColorSpaceToLab())
+        check("transfer functions", lambda volume: colors(volume).SetNodeValue(0, (60.0, 0.2, 0.3, 0.9, 0.4, 0.0)))
+        check("transfer functions", lambda volume: volume.GetProperty().GetScalarOpacity().SetNodeValue(
+            0, (157.0, 1.0, 0.4, 0.0)))  # fmt: skip
         check("materials", lambda volume: volume.GetProperty().SetSpecular(0.7))
+        check("settings of the mappers", lambda volume: volume.GetMapper().CroppingOn())
         check("settings of the mappers", lambda volume: volume.GetMapper().ShadowsOn())
         check("settings of the mappers", lambda volume: volume.GetMapper().SetBlendModeToMaximumIntensity())
         check("clipping planes", lambda volume: volume.GetMapper().AddClippingPlane(make_plane()))
@@ -425,6 +432,14 @@ class TestCompositor(PicturesOfMany):
         if RANK == last:
             volumes.GetItemAsObject(1).GetProperty().SetSpecular(0.7)
         self.check_failure(volumes, f"materials of process {last} differ from those of process 0", last)
+
+    def test_settings_that_are_not_numbers_are_the_same(self):
+        """Such isovalues have no surface, in many processes as in one."""
+        volume = make_volume(make_own(), isovalues=(157.0, math.nan), opacities=(1.0, 1.0))
+        is_rendered, picture = render(volume, make_camera(), (40, 30))
+        self.assertTrue(is_rendered)
+        whole = make_volume(make_piece(CELLS, 0)) if RANK == 0 else None
+        self.check_against_whole(picture, whole, make_camera(), (40, 30), name="NaN among isovalues")
 
 
 if __name__ == "__main__":

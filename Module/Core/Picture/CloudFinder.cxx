@@ -3,6 +3,7 @@
 
 #include "Picture/CloudFinder.h"
 
+#include "Field/HitCollector.h"
 #include "Field/PixelBlocks.h"
 #include "Kernels/Kernels.h"
 #include "Math/Arithmetic.h"
@@ -60,6 +61,18 @@ void MakeMeasuredCloudRays(const Scene& scene, const PixelRows& tile, const Kern
 {
   const Matrix4& worldFromObject = scene.Fields.front().View.GetWorldFromObject();
   MakeRays(scene, tile, kernels, worldFromObject.data(), rays, lighting);
+}
+
+//------------------------------------------------------------------------------
+std::size_t CountVisible(const Fragment* fragments, std::size_t count)
+{
+  double transmittance = 1.0;
+  std::size_t visible = 0;
+  for (; visible < count && transmittance >= NegligibleTransmittance; ++visible)
+  {
+    transmittance *= 1.0 - fragments[visible].Opacity;
+  }
+  return visible;
 }
 
 //------------------------------------------------------------------------------

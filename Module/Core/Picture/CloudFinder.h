@@ -28,6 +28,10 @@ void MakeCloudRays(
 void MakeMeasuredCloudRays(const Scene& scene, const PixelRows& tile, const Kernels& kernels,
   CloudTile& rays, CloudLighting* lighting);
 
+/// How many of the fragments of a pixel, which are front to back, are seen: the hits of one field
+/// end where those before transmit next to nothing, and so do those of several, and of processes.
+std::size_t CountVisible(const Fragment* fragments, std::size_t count);
+
 /// Ends a ray at the last of its fragments, if that is opaque: nothing is seen behind it.
 void CutCloudRay(const Fragment* fragments, std::size_t count, int pixel, CloudTile& rays);
 

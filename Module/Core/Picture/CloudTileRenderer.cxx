@@ -155,10 +155,11 @@ void CloudTileRenderer::SetFragments(int x, int y, const Fragment* fragments, st
 {
   const int pixel = y * CloudTile::Edge + x;
   RayContents& ray = this->Rays[static_cast<std::size_t>(pixel)];
+  const std::size_t visible = CountVisible(fragments, count);
   ray.Fragment = this->Surfaces.size();
-  this->Surfaces.insert(this->Surfaces.end(), fragments, fragments + count);
+  this->Surfaces.insert(this->Surfaces.end(), fragments, fragments + visible);
   ray.End = this->Surfaces.size();
-  CutCloudRay(fragments, count, pixel, this->RaysOfTile);
+  CutCloudRay(fragments, visible, pixel, this->RaysOfTile);
 }
 
 //------------------------------------------------------------------------------
@@ -218,13 +219,24 @@ void CloudTileRenderer::Add(std::size_t number, const CloudSegments& segments)
 }
 
 //------------------------------------------------------------------------------
-/// Of equal values, that of the first field counts.
+/// Of equal values, that of the first field counts. Segments that another process has found may be
+/// behind an opaque surface that it does not know.
 void CloudTileRenderer::FindMaxima(const SceneField& field, const CloudSegments& segments)
 {
   for (int i = 0; i < segments.Count; ++i)
   {
     RayContents& ray = this->Rays[static_cast<std::size_t>(segments.Pixel[i])];
-    const double largest = std::max(segments.Value[0][0][i], segments.Value[0][1][i]);
+    const double end = this->RaysOfTile.End[segments.Pixel[i]];
+    SegmentEnds ends(segments, i);
+    if (end <= ends.Depth[0])
+    {
+      continue;
+    }
+    if (end < ends.Depth[1])
+    {
+      ends = ends.CutOff(end);
+    }
+    const double largest = std::max(ends.Value[0][0], ends.Value[0][1]);
     if (largest > ray.Maximum || (largest == ray.Maximum && &field < ray.MaximumOf))
     {
       ray.Maximum = largest;
