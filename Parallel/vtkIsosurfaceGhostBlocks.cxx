@@ -6,7 +6,9 @@
 #include "vtkCartesianGrid.h"
 #endif
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -340,10 +342,43 @@ vtkMultiProcessController* vtkIsosurfaceGhostBlocks::GetController()
 }
 
 //------------------------------------------------------------------------------
+/// Null if there is a single process.
+vtkSmartPointer<vtkMultiProcessController> vtkIsosurfaceGhostBlocks::FindController() const
+{
+  vtkSmartPointer<vtkMultiProcessController> controller = this->Controller;
+  if (!controller)
+  {
+    controller = vtkMultiProcessController::GetGlobalController();
+  }
+  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
+}
+
+//------------------------------------------------------------------------------
+/// Mappers call another one, each for itself.
+void vtkIsosurfaceGhostBlocks::Update()
+{
+  if (const vtkSmartPointer<vtkMultiProcessController> controller = this->FindController())
+  {
+    this->UpdateInformation();
+    auto* executive = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
+    vtkDataObject* output = this->GetOutputDataObject(0);
+    const int isNew = !output || output->GetUpdateTime() < executive->GetPipelineMTime() ? 1 : 0;
+    int isAnyNew = 0;
+    controller->AllReduce(&isNew, &isAnyNew, 1, vtkCommunicator::MAX_OP);
+    if (isAnyNew && !isNew)
+    {
+      this->Modified();
+    }
+  }
+  this->Superclass::Update();
+}
+
+//------------------------------------------------------------------------------
 int vtkIsosurfaceGhostBlocks::FillInputPortInformation(int, vtkInformation* info)
 {
   // Others are an error, but the process takes part all the same: the others would wait for it.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -360,10 +395,13 @@ int vtkIsosurfaceGhostBlocks::RequestData(
 {
   vtkDataObject* data = vtkDataObject::GetData(inputVector[0]);
   vtkSmartPointer<vtkUniformGridAMR> input = vtkUniformGridAMR::SafeDownCast(data);
-  if (!input)
+  if (data && !input)
   {
     vtkErrorMacro("The input is a " << data->GetClassName()
                                     << ". Give a vtkOverlappingAMR or a vtkNonOverlappingAMR.");
+  }
+  if (!input)
+  {
     input = vtkSmartPointer<vtkNonOverlappingAMR>::New();
   }
   auto* output = vtkNonOverlappingAMR::GetData(outputVector);
@@ -381,13 +419,8 @@ int vtkIsosurfaceGhostBlocks::RequestData(
       }
     }
   }
-  vtkSmartPointer<vtkMultiProcessController> controller = this->Controller;
-  if (!controller)
-  {
-    controller = vtkMultiProcessController::GetGlobalController();
-  }
   std::vector<vtkSmartPointer<vtkUniformGrid>> ghosts;
-  if (controller && controller->GetNumberOfProcesses() > 1)
+  if (const vtkSmartPointer<vtkMultiProcessController> controller = this->FindController())
   {
     ghosts = Exchange(blocks, controller);
   }

@@ -28,9 +28,11 @@
  * have is not sent. Blocks without arrays, which may stand for the blocks of other processes, are
  * left out.
  *
- * All processes must update the filter together, including those without blocks, whose input is
- * empty. (A process whose input is of another kind reports an error, and counts as one without
- * blocks.) With one process nothing is added.
+ * All processes must call Update() together, including those without blocks, which give no input or
+ * an empty one: if the data of any process are new, all of them exchange blocks. (UpdatePiece() of
+ * a piece other than the whole makes the filter run again, in some processes alone, when a mapper
+ * requests the whole: do not call it.) A process whose input is of another kind reports an error,
+ * and counts as one without blocks. With one process nothing is added.
  *
  * @sa vtkIsosurfaceRayTraceCompositor
  */
@@ -64,6 +66,14 @@ public:
   vtkMultiProcessController* GetController();
   ///@}
 
+  ///@{
+  /**
+   * Exchanges blocks if the data of any process are new. All processes must call it together.
+   */
+  using Superclass::Update;
+  void Update() override;
+  ///@}
+
   /**
    * Get the number of blocks of other processes in the output.
    */
@@ -79,6 +89,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
+  vtkSmartPointer<vtkMultiProcessController> FindController() const;
+
   vtkIsosurfaceGhostBlocks(const vtkIsosurfaceGhostBlocks&) = delete;
   void operator=(const vtkIsosurfaceGhostBlocks&) = delete;
 

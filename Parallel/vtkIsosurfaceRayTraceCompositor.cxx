@@ -156,6 +156,17 @@ std::string FindProblemOfOne(vtkAbstractVolumeMapper* mapper, vtkMultiProcessCon
     : "";
 }
 
+/// Updates the inputs of a mapper, if it has any. Filters before it may exchange data: so all
+/// processes do that, be there data in them or not.
+void UpdateInputs(vtkVolume* volume)
+{
+  vtkAbstractVolumeMapper* mapper = volume->GetMapper();
+  if (mapper->GetNumberOfInputConnections(0) > 0)
+  {
+    mapper->Update();
+  }
+}
+
 /// Whether a process has any data at all; points without cells are none.
 bool HasData(vtkAbstractVolumeMapper* mapper)
 {
@@ -381,6 +392,7 @@ bool vtkIsosurfaceRayTraceCompositor::Render(View view, vtkImageData* output)
   {
     return false;
   }
+  std::for_each(view.Volumes.begin(), view.Volumes.end(), UpdateInputs);
   const vtkSmartPointer<vtkFloatArray> nearest = FindNearestDepths(view, controller);
   view.Depths = nearest;
   const bool isProjection = GetSignOfProjection(view.GetMapper()) != 0.0;

@@ -164,6 +164,40 @@ class TestGhostBlocks(PicturesOfMany):
         _, picture = render(draw(output, 1.0), make_camera(), PICTURE)
         self.check_against_whole(picture, draw(whole, 1.0), make_camera(), PICTURE)
 
+    def test_data_that_change_in_one_process(self):
+        """The others exchange blocks again, too."""
+        whole = make_whole(vtkOverlappingAMR, SMALL, True)
+        mine = take_own(whole, deal(len(SMALL), False))
+        ghosts = add_ghosts(mine)
+        for process in range(SIZE):
+            before = ghosts.GetOutputDataObject(0).GetUpdateTime()
+            if RANK == process:
+                mine.Modified()
+            ghosts.Update()
+            self.assertGreater(ghosts.GetOutputDataObject(0).GetUpdateTime(), before)
+            after = ghosts.GetOutputDataObject(0).GetUpdateTime()
+            ghosts.Update()
+            self.assertEqual(ghosts.GetOutputDataObject(0).GetUpdateTime(), after)
+
+    def test_process_without_an_input(self):
+        whole = make_whole(vtkOverlappingAMR, SMALL, True)
+        ghosts = vtkIsosurfaceGhostBlocks()
+        if RANK == 0:
+            ghosts.SetInputDataObject(whole)
+        ghosts.Update()
+        self.assertEqual(ghosts.GetNumberOfGhostBlocks(), 0)
+
+    def test_picture_without_update(self):
+        """The compositor updates the inputs of mappers, in all processes."""
+        whole = make_whole(vtkOverlappingAMR, SMALL, True)
+        ghosts = vtkIsosurfaceGhostBlocks()
+        ghosts.SetInputDataObject(whole if RANK == 0 else vtkNonOverlappingAMR())
+        volume = draw(None, 1.0)
+        volume.GetMapper().SetInputConnection(ghosts.GetOutputPort())
+        is_rendered, picture = render(volume, make_camera(), PICTURE)
+        self.assertTrue(is_rendered)
+        self.check_against_whole(picture, draw(whole, 1.0), make_camera(), PICTURE)
+
     def test_blocks_that_all_have_are_not_sent(self):
         whole = make_whole(vtkOverlappingAMR, SMALL, True)
         self.assertEqual(add_ghosts(whole).GetNumberOfGhostBlocks(), 0)
