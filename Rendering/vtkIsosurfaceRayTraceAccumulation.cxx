@@ -28,26 +28,41 @@ void Append(const Range& range, std::vector<double>& numbers)
   numbers.insert(numbers.end(), range.begin(), range.end());
 }
 
-/// Whether two cameras are the same to within much less than a pixel, also of data that are
-/// millions of times their size from the origin. vtkWindowToImageFilter takes the sine of the view
-/// angle and the angle of that sine, which differ in the last bits.
-bool AreTheSame(const vtkirt::Camera& a, const vtkirt::Camera& b)
+/// Whether two cameras have one place and size; the projections may differ.
+bool AreAlike(const vtkirt::Camera& a, const vtkirt::Camera& b)
 {
-  constexpr double tolerance = 1e-12;
-  for (std::size_t row = 0; row < 4; ++row)
-  {
-    const double* ofA = a.GetClipFromObject().data() + 4 * row;
-    const double* ofB = b.GetClipFromObject().data() + 4 * row;
-    const double largest = std::abs(*std::max_element(
-      ofA, ofA + 4, [](double left, double right) { return std::abs(left) < std::abs(right); }));
-    if (!std::equal(ofA, ofA + 4, ofB,
-          [=](double x, double y) { return std::abs(x - y) <= tolerance * largest; }))
-    {
-      return false;
-    }
-  }
   return a.GetWorldFromObject() == b.GetWorldFromObject() && a.GetWidth() == b.GetWidth() &&
     a.GetHeight() == b.GetHeight();
+}
+
+/// Where a corner of a box is, of which the bits of the number tell the sides.
+std::array<double, 4> Project(
+  const vtkirt::Camera& view, const vtkirt::Bounds& box, std::size_t number)
+{
+  const auto get = [&](std::size_t axis)
+  { return (number >> axis & 1) != 0 ? box.Upper[axis] : box.Lower[axis]; };
+  std::array<double, 4> place;
+  for (std::size_t row = 0; row < 4; ++row)
+  {
+    const double* numbers = view.GetClipFromObject().data() + 4 * row;
+    place[row] = numbers[0] * get(0) + numbers[1] * get(1) + numbers[2] * get(2) + numbers[3];
+  }
+  return place;
+}
+
+/// Whether two places are the same to within much less than a pixel. vtkWindowToImageFilter takes
+/// the sine of the view angle and the angle of that sine, which differ in the last bits.
+bool AreTheSame(const std::array<double, 4>& a, const std::array<double, 4>& b)
+{
+  constexpr double tolerance = 1e-7;
+  const double size = std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]) + std::abs(a[3]);
+  bool areTheSame = true;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    // Those of an empty box are not numbers.
+    areTheSame = areTheSame && !(std::abs(a[i] - b[i]) > tolerance * size);
+  }
+  return areTheSame;
 }
 
 /// Whether two depth buffers are the same to within a few steps of their 24 bits, for that reason.
@@ -103,6 +118,11 @@ vtkIsosurfaceRayTraceAccumulation::Key::Key(
   for (const vtkirt::SceneField& field : scene.Fields)
   {
     this->Views.push_back(field.View);
+    const vtkirt::Bounds box = field.Field->GetBounds();
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      this->Corners.push_back(Project(field.View, box, corner));
+    }
     AppendRequest(field.Field->GetRequest(), this->Numbers);
   }
   for (const vtkirt::Light& light : scene.Lights)
@@ -120,8 +140,10 @@ vtkIsosurfaceRayTraceAccumulation::Key::Key(
 bool vtkIsosurfaceRayTraceAccumulation::Key::operator==(const Key& other) const
 {
   return this->Objects == other.Objects && this->Numbers == other.Numbers &&
-    std::equal(this->Views.begin(), this->Views.end(), other.Views.begin(), other.Views.end(),
-      [](const vtkirt::Camera& a, const vtkirt::Camera& b) { return AreTheSame(a, b); }) &&
+    std::equal(
+      this->Views.begin(), this->Views.end(), other.Views.begin(), other.Views.end(), AreAlike) &&
+    std::equal(this->Corners.begin(), this->Corners.end(), other.Corners.begin(),
+      other.Corners.end(), [](const auto& a, const auto& b) { return AreTheSame(a, b); }) &&
     AreTheSame(this->Depths, other.Depths);
 }
 

@@ -12,6 +12,7 @@
 
 #include "Picture/RenderTiles.h"
 
+#include <array>   // for std::array
 #include <cstdint> // for std::uint16_t
 #include <utility> // for std::pair
 #include <vector>  // for std::vector
@@ -38,8 +39,9 @@ public:
     bool operator==(const Key& other) const;
 
     std::vector<std::pair<const vtkObject*, vtkMTimeType>> Objects;
-    /// Of each field.
+    /// Of each field, and where in the picture the corners of its box are: x, y, z, w.
     std::vector<vtkIsosurfaceRayTracing::Camera> Views;
+    std::vector<std::array<double, 4>> Corners;
     std::vector<double> Numbers;
     std::vector<float> Depths;
   };

@@ -52,6 +52,8 @@ SIMD_INLINE auto ClipToSlabs(
 
 /// So little of its distances, a ray is off a plane by rounding.
 constexpr double NegligibleOffPlane = 0x1p-46;
+/// But no more, in cells.
+constexpr double MostOffPlane = 0x1p-26;
 
 /// Puts rays into lattice planes that they are parallel to and lie in, but for rounding. Pieces of
 /// a volume count their samples from their own first one, so they round otherwise: a ray in the
@@ -73,8 +75,8 @@ SIMD_INLINE void SnapToPlanes(const int dimensions[3], ClippedRays<Number>& rays
     if (Any(isParallel))
     {
       const Number plane = Floor(rays.Origin[axis] + 0.5);
-      const auto isInPlane =
-        isParallel & (Abs(rays.Origin[axis] - plane) <= NegligibleOffPlane * reach);
+      const Number most = Min(NegligibleOffPlane * reach, Number(MostOffPlane));
+      const auto isInPlane = isParallel & (Abs(rays.Origin[axis] - plane) <= most);
       rays.Origin[axis] = Select(isInPlane, plane, rays.Origin[axis]);
       rays.Direction[axis] = Select(isInPlane, Number(0.0), rays.Direction[axis]);
     }
