@@ -135,12 +135,13 @@ void PartFinder::FindFragments(const PixelRectangle& tile)
 void PartFinder::SetFragments(int x, int y, const Fragment* fragments, std::size_t count)
 {
   const RowPlace& place = this->Places[y];
-  for (std::size_t i = 0; i < count; ++i)
+  const std::size_t visible = CountVisible(fragments, count);
+  for (std::size_t i = 0; i < visible; ++i)
   {
     this->FragmentsOfShares[static_cast<std::size_t>(place.Share)].push_back(
       { place.Pixel + x, fragments[i] });
   }
-  CutCloudRay(fragments, count, y * CloudTile::Edge + x, this->Rays);
+  CutCloudRay(fragments, visible, y * CloudTile::Edge + x, this->Rays);
 }
 
 //------------------------------------------------------------------------------
